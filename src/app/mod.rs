@@ -1,0 +1,1 @@
+//! The drivers of the schedule: command line now, window later.

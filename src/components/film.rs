@@ -1,0 +1,81 @@
+//! The film, and how it is to be exposed.
+
+use bevy_ecs::prelude::*;
+use glam::UVec2;
+
+/// The picture's size, the part of it that is rendered, and how it is shown.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct Film {
+    /// Whole picture in pixels, each side 1 to 16,384.
+    pub size: UVec2,
+    /// The part that is rendered; `None` is all of it.
+    pub crop: Option<Crop>,
+    /// Stops: the picture is multiplied by 2^exposure before it is shown.
+    pub exposure: f32,
+}
+
+impl Film {
+    /// The rendered rectangle, whole where there is no crop.
+    pub fn window(&self) -> Crop {
+        self.crop.unwrap_or(Crop { min: UVec2::ZERO, max: self.size })
+    }
+}
+
+impl Default for Film {
+    fn default() -> Self {
+        Self { size: UVec2::splat(512), crop: None, exposure: 0.0 }
+    }
+}
+
+/// A rectangle of pixels: `min` inside, `max` just outside, origin at the top left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Crop {
+    pub min: UVec2,
+    pub max: UVec2,
+}
+
+impl Crop {
+    /// Width and height in pixels.
+    pub fn size(&self) -> UVec2 {
+        self.max - self.min
+    }
+}
+
+/// How light is estimated.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct Render {
+    pub integrator: Integrator,
+    /// Path segments: 1 sees emitters only. 1 to 1,024.
+    pub max_depth: u32,
+    /// End paths of little throughput early, unbiased.
+    pub roulette: bool,
+    pub energy: Energy,
+    /// Seed of every random number.
+    pub seed: u32,
+    /// Samples a pixel after which the film is finished, at least 1.
+    pub spp: u32,
+}
+
+impl Default for Render {
+    fn default() -> Self {
+        Self { integrator: Integrator::Bsdf, max_depth: 16, roulette: true, energy: Energy::Preserve, seed: 0, spp: 64 }
+    }
+}
+
+/// The estimator.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Integrator {
+    /// Directions from the BSDF alone; light is found by hitting it.
+    #[default]
+    Bsdf,
+}
+
+/// What becomes of materials that reflect more than they receive.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Energy {
+    /// Kd and Ks are divided by max(1, the largest channel of Kd + Ks).
+    #[default]
+    Preserve,
+    /// Kd and Ks as the file has them.
+    AsWritten,
+}

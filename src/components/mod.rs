@@ -1,0 +1,25 @@
+//! Plain data on entities. Knows bevy_ecs and glam, and neither files nor the GPU.
+//!
+//! | entity | components |
+//! |---|---|
+//! | mesh | `Name`, [`Geometry`], [`Transform`], [`UsesMaterial`] |
+//! | material | `Name`, [`Material`] |
+//! | camera | `Name`, [`Camera`]; one of them is [`Active`] |
+//! | film | `Name`, [`Film`], [`Render`]: one entity |
+//! | environment | `Name`, [`Environment`]: at most one entity |
+//!
+//! A `Name` is a stable key, unique within its kind (`model/object/3`, `model:material`). Whatever depends on an order
+//! sorts by it.
+
+mod camera;
+mod environment;
+mod film;
+mod material;
+mod mesh;
+
+pub use bevy_ecs::name::Name;
+pub use camera::{Active, Camera};
+pub use environment::Environment;
+pub use film::{Crop, Energy, Film, Integrator, Render};
+pub use material::{Material, TextureMaps};
+pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};

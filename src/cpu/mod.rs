@@ -1,0 +1,1 @@
+//! The twin of every pass on the CPU, by the same names; f64 where it is an oracle.

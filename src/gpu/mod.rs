@@ -1,0 +1,1 @@
+//! Device, buffers, pipelines and the player of recordings.

@@ -1,0 +1,1 @@
+//! Structs shared with WGSL, declared once. Does not know wgpu.

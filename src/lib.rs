@@ -1,0 +1,15 @@
+//! Lucerna: a GPU path tracer that can be changed while it runs.
+//!
+//! The crate is a data-oriented engine. A scene is entities and [`components`]; [`systems`] turn what changed into
+//! recordings of compute [`passes`], and [`gpu`] plays them. ARCHITECTURE.md has the map and the way of one frame.
+
+#[macro_use]
+pub mod layout;
+pub mod app;
+pub mod components;
+pub mod cpu;
+pub mod gpu;
+pub mod passes;
+pub mod scene;
+pub mod shader;
+pub mod systems;

@@ -1,0 +1,1 @@
+//! The pass table and the recording of dispatches. Does not know wgpu.

@@ -1,0 +1,1 @@
+//! Asset files to entities, with located diagnostics. Does not know the GPU.

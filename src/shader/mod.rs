@@ -1,0 +1,1 @@
+//! Linker, source map, validation and reflection of WGSL. Does not know wgpu.

@@ -1,0 +1,3 @@
+//! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
+
+mod support;
