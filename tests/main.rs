@@ -1,3 +1,4 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
+mod layout;
 mod support;
