@@ -5,15 +5,22 @@
 
 #[macro_use]
 mod macros;
+pub mod tree;
 
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec2, IVec3, IVec4, UVec2, UVec3, UVec4, Vec2, Vec3, Vec4};
 
 /// Every struct that WGSL can import from `package::gen`.
-pub static ALL: &[&StructLayout] = &[];
+pub static ALL: &[&StructLayout] = &[
+    &tree::Triangle::LAYOUT,
+    &tree::LeafBox::LAYOUT,
+    &tree::Node::LAYOUT,
+    &tree::BuildParams::LAYOUT,
+    &tree::PyramidParams::LAYOUT,
+];
 
 /// Every constant that WGSL can import from `package::gen`, module by module.
-pub static CONSTS: &[&[GpuConst]] = &[];
+pub static CONSTS: &[&[GpuConst]] = &[tree::CONSTS];
 
 /// A struct as both Rust and WGSL lay it out.
 #[derive(Debug)]
