@@ -5,6 +5,8 @@
 
 #[macro_use]
 mod macros;
+pub mod film;
+pub mod trace;
 pub mod tree;
 
 use bytemuck::{Pod, Zeroable};
@@ -17,10 +19,22 @@ pub static ALL: &[&StructLayout] = &[
     &tree::Node::LAYOUT,
     &tree::BuildParams::LAYOUT,
     &tree::PyramidParams::LAYOUT,
+    &trace::MaterialRecord::LAYOUT,
+    &trace::Shading::LAYOUT,
+    &trace::SampleKey::LAYOUT,
+    &trace::PathState::LAYOUT,
+    &trace::TraceParams::LAYOUT,
+    &trace::RadianceSample::LAYOUT,
+    &film::FilmHalf::LAYOUT,
+    &film::FilmPixel::LAYOUT,
+    &film::BadSample::LAYOUT,
+    &film::FilmCounters::LAYOUT,
+    &film::AccumulateParams::LAYOUT,
+    &film::DisplayParams::LAYOUT,
 ];
 
 /// Every constant that WGSL can import from `package::gen`, module by module.
-pub static CONSTS: &[&[GpuConst]] = &[tree::CONSTS];
+pub static CONSTS: &[&[GpuConst]] = &[tree::CONSTS, trace::CONSTS, film::CONSTS];
 
 /// A struct as both Rust and WGSL lay it out.
 #[derive(Debug)]

@@ -1,0 +1,104 @@
+//! The film as WGSL and Rust see it: 64-bit fixed-point sums, two halves a pixel, and the counters beside them.
+
+use glam::UVec2;
+
+use super::AtomicWord;
+
+gpu_struct! {
+    /// Half of a pixel: the samples of one scramble.
+    pub struct FilmHalf {
+        /// Per channel: the sum of radiance times 2^exponent, low word and high word.
+        pub sum: [UVec2; 3],
+        /// Samples in the sums.
+        pub count: u32,
+        /// Samples that were NaN, infinite, negative or too large, and are in neither.
+        pub bad: u32,
+    }
+
+    /// One pixel of the film.
+    pub struct FilmPixel {
+        /// Even and odd film samples.
+        pub halves: [FilmHalf; 2],
+    }
+
+    /// Where a sample went wrong.
+    pub struct BadSample {
+        /// Row times the whole film's width plus column.
+        pub pixel: u32,
+        /// Film sample.
+        pub sample: u32,
+        /// Path segments before the ray at whose end it went wrong, or [`UNKNOWN_BOUNCE`].
+        pub bounce: u32,
+        /// Index of the material, or `NO_MATERIAL`.
+        pub material: u32,
+        /// A `BAD_` kind.
+        pub kind: u32,
+    }
+
+    /// What the film counts, over all dispatches since it was cleared.
+    pub struct FilmCounters {
+        /// Rays traced, low word.
+        pub rays_lo: AtomicWord,
+        /// Rays traced, high word.
+        pub rays_hi: AtomicWord,
+        /// Bad samples; the first [`BAD_LOG`] of them are in `log`, in no order.
+        pub bad: AtomicWord,
+        pub pad: u32,
+        pub log: [BadSample; 64],
+    }
+
+    /// Parameters of the accumulate pass.
+    pub struct AccumulateParams {
+        /// Whole film's width, for the log.
+        pub film_width: u32,
+        /// Rendered window, pixels of the whole film.
+        pub window_x: u32,
+        pub window_y: u32,
+        pub window_width: u32,
+        pub window_height: u32,
+        /// Film sample of layer 0.
+        pub first_sample: u32,
+        /// Samples of this batch.
+        pub layers: u32,
+        /// Radiance is scaled by 2^exponent.
+        pub exponent: i32,
+    }
+
+    /// Parameters of the display pass.
+    pub struct DisplayParams {
+        /// Pixels of the window.
+        pub pixels: u32,
+        /// 2^(exposure - the film's exponent), finite and above 0.
+        pub scale: f32,
+        pub pad0: u32,
+        pub pad1: u32,
+    }
+}
+
+gpu_consts! {
+    /// Entries of [`FilmCounters::log`].
+    pub const BAD_LOG: u32 = 64;
+    /// A bad sample whose bounce is not known: it went bad in the film.
+    pub const UNKNOWN_BOUNCE: u32 = 0x00ff_ffff;
+    /// Scaled radiance of one sample is below 2^this, 2^16 times the largest emission.
+    pub const SAMPLE_BITS: u32 = 56;
+}
+
+/// The power of two by which radiance is scaled, so that the largest emission lands in [2^40, 2^41).
+///
+/// One sample may reach 2^56, which is 65,536 times the largest emission; a half of a pixel holds 2^64, which is 2^23
+/// samples of the largest emission. The step is 2^-40 of the largest emission. An addition that would pass 2^64 is
+/// refused and counted, like a sample that is too large.
+pub fn film_exponent(largest_emission: f32) -> i32 {
+    if !(largest_emission > 0.0 && largest_emission.is_finite()) {
+        return 40;
+    }
+    let floor_log2 = f64::from(largest_emission).log2().floor() as i32;
+    // Bounded so that 2^-exponent and 2^(56 - exponent) stay within f32.
+    (40 - floor_log2).clamp(-70, 110)
+}
+
+/// The first radiance that does not fit a film of this exponent.
+pub fn largest_sample(exponent: i32) -> f32 {
+    2f32.powi(SAMPLE_BITS as i32 - exponent)
+}

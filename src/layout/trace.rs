@@ -1,0 +1,203 @@
+//! What the trace kernel shares with WGSL: materials, shading normals, the path state, its parameters and its output.
+
+use glam::Vec3;
+
+gpu_struct! {
+    /// What a surface does with light, packed from a material's numbers by [`MaterialRecord::pack`].
+    pub struct MaterialRecord {
+        /// Diffuse reflectance, linear Rec.709, at least 0.
+        pub kd: Vec3,
+        /// Exponent of the Phong lobe, 0 to 1e5.
+        pub ns: f32,
+        /// Reflectance of the Phong lobe, linear Rec.709, at least 0.
+        pub ks: Vec3,
+        /// [`MATERIAL_ONE_SIDED`] or 0.
+        pub flags: u32,
+        /// Emitted radiance, linear Rec.709, at least 0.
+        pub emission: Vec3,
+        /// Probability of sampling the Phong lobe: the luminance of `ks` against that of `kd` + `ks`. 0 to 1.
+        pub glossy: f32,
+    }
+
+    /// Corner normals of one triangle, in scene order. World space, octahedral, two snorm16 a word; 0 is none.
+    pub struct Shading {
+        pub n0: u32,
+        pub n1: u32,
+        pub n2: u32,
+        pub pad: u32,
+    }
+
+    /// Which random numbers a path draws: they are a pure function of this and the dimension.
+    pub struct SampleKey {
+        /// Row times the whole film's width plus column: the same in a crop.
+        pub pixel: u32,
+        /// Sample index within its half of the film.
+        pub index: u32,
+        /// Half of the film, 0 or 1.
+        pub half: u32,
+        pub seed: u32,
+    }
+
+    /// A path between two bounces.
+    pub struct PathState {
+        /// World space relative to the scene's origin.
+        pub origin: Vec3,
+        /// Ray cone: width at `origin`, scene units.
+        pub cone_width: f32,
+        /// Unit length.
+        pub direction: Vec3,
+        /// Ray cone: growth of the width by distance.
+        pub cone_spread: f32,
+        /// What a unit of radiance along the ray adds to the pixel.
+        pub throughput: Vec3,
+        /// Path segments before this ray: 0 for the camera's.
+        pub bounce: u32,
+        /// Gathered so far.
+        pub radiance: Vec3,
+        /// Rays traced so far.
+        pub rays: u32,
+        pub key: SampleKey,
+        /// What went wrong, a `BAD_` kind, or 0.
+        pub fault: u32,
+        /// The material it went wrong at, or [`NO_MATERIAL`].
+        pub fault_material: u32,
+        pub pad0: u32,
+        pub pad1: u32,
+    }
+
+    /// Parameters of the trace kernel.
+    pub struct TraceParams {
+        /// Camera, relative to the scene's origin.
+        pub position: Vec3,
+        /// Whole film, pixels.
+        pub film_width: u32,
+        /// Unit length.
+        pub forward: Vec3,
+        pub film_height: u32,
+        /// To the film's right edge at unit distance.
+        pub right: Vec3,
+        /// Left edge of the rendered window, pixels of the whole film.
+        pub window_x: u32,
+        /// To the film's top edge at unit distance.
+        pub up: Vec3,
+        /// Top edge of the rendered window.
+        pub window_y: u32,
+        /// Radiance where nothing is hit.
+        pub environment: Vec3,
+        pub window_width: u32,
+        pub window_height: u32,
+        /// Film sample of layer 0.
+        pub first_sample: u32,
+        /// Samples of this batch, a layer each.
+        pub layers: u32,
+        pub seed: u32,
+        /// Path segments, at least 1.
+        pub max_depth: u32,
+        /// Root of the tree, a node reference.
+        pub root: u32,
+        /// Growth of a camera ray's cone by distance.
+        pub cone_spread: f32,
+        /// Radiance above this does not fit the film.
+        pub largest: f32,
+    }
+
+    /// One sample of one pixel, as the trace kernel leaves it for the film.
+    pub struct RadianceSample {
+        /// Linear Rec.709; of a bad sample: kind, bounce and material, as whole numbers.
+        pub rgb: Vec3,
+        /// Rays traced; [`SAMPLE_BAD`] is set in a bad sample.
+        pub info: u32,
+    }
+}
+
+gpu_consts! {
+    /// Material flag: light leaves the front side only.
+    pub const MATERIAL_ONE_SIDED: u32 = 1;
+    /// No material: the environment, or unknown. A whole number that f32 holds.
+    pub const NO_MATERIAL: u32 = 0x00ff_ffff;
+    /// Flag of [`RadianceSample::info`].
+    pub const SAMPLE_BAD: u32 = 0x8000_0000;
+    /// A path's radiance or throughput was NaN.
+    pub const BAD_NAN: u32 = 1;
+    /// A path's radiance or throughput was infinite.
+    pub const BAD_INFINITE: u32 = 2;
+    /// A path's radiance or throughput was negative.
+    pub const BAD_NEGATIVE: u32 = 3;
+    /// A sample was too large for the film's fixed point.
+    pub const BAD_OVERFLOW: u32 = 4;
+    /// Random dimensions of a bounce.
+    pub const DIMENSIONS_PER_BOUNCE: u32 = 4;
+    /// First bounce after which Russian roulette may end a path: paths of 4 segments are never cut.
+    pub const ROULETTE_BOUNCE: u32 = 3;
+}
+
+const _: () = assert!(size_of::<PathState>() <= 96, "a path state is at most 96 bytes");
+
+/// What becomes of materials that reflect more than they receive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EnergyRule {
+    /// `kd` and `ks` are divided by max(1, the largest channel of `kd + ks`).
+    Preserve,
+    /// Left alone.
+    AsWritten,
+}
+
+/// A material's numbers before the energy rule. Linear Rec.709, finite, at least 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reflector {
+    pub kd: Vec3,
+    pub ks: Vec3,
+    /// 0 to 1e5.
+    pub ns: f32,
+    pub emission: Vec3,
+    pub one_sided: bool,
+}
+
+impl MaterialRecord {
+    /// Applies the energy rule and works out the choice of lobes.
+    pub fn pack(values: &Reflector, rule: EnergyRule) -> Self {
+        let scale = match rule {
+            EnergyRule::Preserve => (values.kd + values.ks).max_element().max(1.0),
+            EnergyRule::AsWritten => 1.0,
+        };
+        let (kd, ks) = (values.kd / scale, values.ks / scale);
+        let (diffuse, glossy) = (luminance(kd), luminance(ks));
+        Self {
+            kd,
+            ns: values.ns.clamp(0.0, 1e5),
+            ks,
+            flags: if values.one_sided { MATERIAL_ONE_SIDED } else { 0 },
+            emission: values.emission,
+            glossy: if glossy > 0.0 { glossy / (diffuse + glossy) } else { 0.0 },
+        }
+    }
+}
+
+impl Shading {
+    /// Packs unit normals of a triangle's corners; a zero vector stands for the geometric normal.
+    pub fn pack(normals: [Vec3; 3]) -> Self {
+        let [n0, n1, n2] = normals.map(octahedral);
+        Self { n0, n1, n2, pad: 0 }
+    }
+}
+
+/// Rec.709 luminance.
+pub fn luminance(rgb: Vec3) -> f32 {
+    rgb.dot(Vec3::new(0.2126, 0.7152, 0.0722))
+}
+
+/// Octahedral snorm16 pair of a unit vector (Cigolle et al. 2014); never 0, which stands for no normal.
+fn octahedral(n: Vec3) -> u32 {
+    let length = n.abs().element_sum();
+    if length.is_nan() || length <= 0.0 {
+        return 0;
+    }
+    let p = n / length;
+    let (x, y) = match p.z >= 0.0 {
+        true => (p.x, p.y),
+        false => ((1.0 - p.y.abs()).copysign(p.x), (1.0 - p.x.abs()).copysign(p.y)),
+    };
+    let quantise = |v: f32| (v.clamp(-1.0, 1.0) * 32767.0).round() as i16 as u16 as u32;
+    // +z packs to 0, which is taken: its nearest neighbour is 3e-5 radians away.
+    (quantise(x) | quantise(y) << 16).max(1)
+}
