@@ -5,6 +5,7 @@
 
 #[macro_use]
 mod macros;
+pub mod clear;
 pub mod film;
 pub mod trace;
 pub mod tree;
@@ -14,6 +15,7 @@ use glam::{IVec2, IVec3, IVec4, UVec2, UVec3, UVec4, Vec2, Vec3, Vec4};
 
 /// Every struct that WGSL can import from `package::gen`.
 pub static ALL: &[&StructLayout] = &[
+    &clear::ClearParams::LAYOUT,
     &tree::Triangle::LAYOUT,
     &tree::LeafBox::LAYOUT,
     &tree::Node::LAYOUT,

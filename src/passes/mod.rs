@@ -1,1 +1,13 @@
 //! The pass table and the recording of dispatches. Does not know wgpu.
+//!
+//! A pass is one row: a name, a WGSL entry point, its bindings by name, and the shape of its dispatches. A stage's file
+//! holds its rows, the buffers they need, and the function that records them. [`table::TABLE`] lists every row.
+
+mod clear;
+mod pass;
+mod recording;
+pub mod table;
+
+pub use clear::{CLEAR, clear};
+pub use pass::{Access, Binding, Pass, Shape};
+pub use recording::{Call, Recording, Size};

@@ -1,0 +1,77 @@
+//! One row of the pass table.
+
+/// A compute pass: what runs, on which buffers, over what.
+///
+/// The row is checked against naga's reflection of the linked module: the names, access and types of the bindings that the
+/// entry point uses must be exactly these. Workgroup sizes come from the reflection alone.
+#[derive(Debug)]
+pub struct Pass {
+    /// Unique; what timings and dispatch counts are listed under.
+    pub name: &'static str,
+    /// Shader module, as `passes/sort/count`.
+    pub module: &'static str,
+    /// Entry point in that module.
+    pub entry: &'static str,
+    /// In the order of the WGSL, all in group 0.
+    pub bindings: &'static [Binding],
+    /// What one invocation stands for.
+    pub shape: Shape,
+}
+
+/// One binding of a pass, by its name in the WGSL.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Binding {
+    pub name: &'static str,
+    pub access: Access,
+    /// WGSL type, as naga prints it: `array<vec2<u32>>`.
+    pub ty: &'static str,
+    /// The feature without which the binding is not in the module; empty: always there.
+    pub feature: &'static str,
+}
+
+impl Binding {
+    /// A storage buffer that is only read.
+    pub const fn read(name: &'static str, ty: &'static str) -> Self {
+        Self { name, access: Access::Read, ty, feature: "" }
+    }
+
+    /// A storage buffer that is read and written.
+    pub const fn write(name: &'static str, ty: &'static str) -> Self {
+        Self { name, access: Access::Write, ty, feature: "" }
+    }
+
+    /// The pass's parameters: `var<uniform> params`.
+    pub const fn params(ty: &'static str) -> Self {
+        Self { name: "params", access: Access::Params, ty, feature: "" }
+    }
+
+    /// Only there where `feature` is in use.
+    pub const fn when(mut self, feature: &'static str) -> Self {
+        self.feature = feature;
+        self
+    }
+}
+
+/// How a pass uses a binding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// `var<storage, read>`
+    Read,
+    /// `var<storage, read_write>`
+    Write,
+    /// `var<uniform>`, filled from the call's own parameters.
+    Params,
+}
+
+/// What the invocations of a pass run over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// One invocation an item, in one dimension.
+    Items,
+    /// One invocation a pixel, and a layer of workgroups a sample of the batch.
+    Pixels,
+    /// Workgroups, counted by whoever records.
+    Groups,
+    /// Workgroups, counted on the GPU.
+    Indirect,
+}

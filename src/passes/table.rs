@@ -1,0 +1,6 @@
+//! Every row, for whatever goes over all of them: validation, `check`, tests.
+
+use super::{CLEAR, Pass};
+
+/// Every pass the engine can run.
+pub static TABLE: &[&Pass] = &[&CLEAR];
