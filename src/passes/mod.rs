@@ -4,9 +4,11 @@
 //! holds its rows, the buffers they need, and the function that records them. [`table::TABLE`] lists every row.
 
 mod clear;
+pub mod film;
 mod pass;
 mod recording;
 pub mod table;
+pub mod trace;
 
 pub use clear::{CLEAR, clear};
 pub use pass::{Access, Binding, Pass, Shape};
