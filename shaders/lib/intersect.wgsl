@@ -1,0 +1,180 @@
+// Rays against boxes and triangles. Woop, Benthin, Wald: Watertight Ray/Triangle Intersection (2013).
+//
+// Every sum of a product is written as fma(), so that no two places where this is inlined can be contracted differently:
+// the same ray and triangle give the same bits in every kernel of one device. NaN and infinity never arise from rays and
+// triangles as package::gen describes them.
+
+import package::gen::{Ray};
+
+// What boxes grow by on every side, in units of the greatest coordinate of ray and scene. A triangle that passes the edge test lies
+// within 8 * 2^-24 * distance of the ray: a rounding of each sheared coordinate, and the error of 2.5 ulp that WGSL allows
+// in each of the two divisions behind it. Twice that leaves the roundings of the slabs themselves.
+const SLAB_GROWTH: f32 = 9.5367431640625e-7;
+// Far planes move out by this factor, for the reciprocal's 2.5 ulp and the last rounding (Ize 2013).
+const FAR_GROWTH: f32 = 1.00000095367431640625;
+// A direction's component counts as at least this part of the largest: its reciprocal stays finite.
+const LEAST_PART: f32 = 8.673617379884035e-19;
+
+// What a ray needs for every box and triangle, computed once.
+struct Query {
+    origin: vec3<f32>,
+    t_min: f32,
+    // Shear and scale that turn the ray into the z axis, in permuted axes.
+    shear: vec3<f32>,
+    t_max: f32,
+    // Plane p along an axis is met at p * inverse + low if it bounds a box from below, + high from above. The box is
+    // grown by the two.
+    inverse: vec3<f32>,
+    // The axis along which the direction is largest.
+    axis: u32,
+    low: vec3<f32>,
+    high: vec3<f32>,
+}
+
+struct TriangleHit {
+    // Clamped into the slabs of the triangle's own box; not yet compared with the ray's ends.
+    t: f32,
+    // Weights of the second and third corner.
+    b1: f32,
+    b2: f32,
+    hit: bool,
+}
+
+// The coordinates in an order that puts `axis` last and keeps the handedness.
+fn permute(v: vec3<f32>, axis: u32) -> vec3<f32> {
+    return select(select(v.zxy, v.yzx, axis == 0u), v, axis == 2u);
+}
+
+fn largest_axis(d: vec3<f32>) -> u32 {
+    let m = abs(d);
+    return select(select(1u, 0u, m.x >= m.y), 2u, m.z >= max(m.x, m.y));
+}
+
+// `extent` is the greatest coordinate of the scene's box. The direction is not zero.
+fn prepare_query(ray: Ray, extent: f32) -> Query {
+    let axis = largest_axis(ray.direction);
+    let d = permute(ray.direction, axis);
+    let least = abs(d.z) * LEAST_PART;
+    let signed_least = select(vec3(-least), vec3(least), ray.direction >= vec3(0.0));
+    let inverse = 1.0 / select(ray.direction, signed_least, abs(ray.direction) < vec3(least));
+    let o = abs(ray.origin);
+    let reach = vec3(max(max(o.x, o.y), o.z) + extent);
+    return Query(
+        ray.origin,
+        ray.t_min,
+        vec3(d.xy / d.z, 1.0 / d.z),
+        ray.t_max,
+        inverse,
+        axis,
+        -(fma(vec3(SLAB_GROWTH), reach, ray.origin) * inverse),
+        -(fma(vec3(-SLAB_GROWTH), reach, ray.origin) * inverse),
+    );
+}
+
+// Where the ray is inside the grown box: from x to y, empty if x > y. Rounding is monotone in every step, so the interval
+// of a box that encloses another encloses the other's interval.
+fn slab_interval(query: Query, low: vec3<f32>, high: vec3<f32>) -> vec2<f32> {
+    let a = fma(low, query.inverse, query.low);
+    let b = fma(high, query.inverse, query.high);
+    let near = min(a, b);
+    let far = max(a, b);
+    return vec2(max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z) * FAR_GROWTH);
+}
+
+// a * b - c * d with the right sign, or 0: to 1.5 ulp where fma() rounds once, and where it rounds twice the difference of
+// two rounded products, in whose order rounding makes no mistake (Kahan; Jeannerod et al. 2013).
+fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
+    let cd = c * d;
+    let error = fma(-c, d, cd);
+    return fma(a, b, -cd) + error;
+}
+
+// Twice the signed area of (0, p, q). Computed in one order of its ends, so that the two triangles of an edge get the same
+// bits with opposite signs.
+fn edge_function(p: vec2<f32>, q: vec2<f32>) -> f32 {
+    let swapped = p.x > q.x || (p.x == q.x && p.y > q.y);
+    let first = select(p, q, swapped);
+    let second = select(q, p, swapped);
+    let e = difference_of_products(first.x, second.y, first.y, second.x);
+    return select(e, -e, swapped);
+}
+
+// The normal of a triangle by its winding, twice its area long.
+fn triangle_normal(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> vec3<f32> {
+    let e = b - a;
+    let f = c - a;
+    return vec3(
+        difference_of_products(e.y, f.z, e.z, f.y),
+        difference_of_products(e.z, f.x, e.x, f.z),
+        difference_of_products(e.x, f.y, e.y, f.x),
+    );
+}
+
+// A corner relative to the ray: the ray is x = y = 0, and z grows along it.
+fn shear_corner(query: Query, corner: vec3<f32>) -> vec3<f32> {
+    let p = permute(corner - query.origin, query.axis);
+    return vec3(fma(-query.shear.xy, p.zz, p.xy), p.z);
+}
+
+// Both sides count, edges and corners belong to every triangle they bound, and a triangle without area is never hit.
+fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> TriangleHit {
+    let p = shear_corner(query, a);
+    let q = shear_corner(query, b);
+    let r = shear_corner(query, c);
+    let u = edge_function(q.xy, r.xy);
+    let v = edge_function(r.xy, p.xy);
+    let w = edge_function(p.xy, q.xy);
+    let det = u + v + w;
+    var result = TriangleHit(0.0, 0.0, 0.0, false);
+    if (min(min(u, v), w) < 0.0 && max(max(u, v), w) > 0.0) || det == 0.0 {
+        return result;
+    }
+    let interval = slab_interval(query, min(min(a, b), c), max(max(a, b), c));
+    if interval.x > interval.y || all(triangle_normal(a, b, c) == vec3(0.0)) {
+        return result;
+    }
+    let scale = 1.0 / det;
+    let depth = fma(u, p.z, fma(v, q.z, w * r.z)) * query.shear.z * scale;
+    result.t = min(max(depth, interval.x), interval.y);
+    result.b1 = v * scale;
+    result.b2 = w * scale;
+    result.hit = true;
+    return result;
+}
+
+struct SurfacePoint {
+    position: vec3<f32>,
+    // Bound of each coordinate's error.
+    error: vec3<f32>,
+}
+
+// The point of a triangle with weights b1 and b2 of its second and third corner, and the bound of its rounding errors:
+// gamma(7) times the sum of absolute terms (Pharr, Jakob, Humphreys: PBRT, 4th ed., section 6.8.5).
+fn surface_point(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, b1: f32, b2: f32) -> SurfacePoint {
+    let b0 = 1.0 - b1 - b2;
+    let position = b0 * a + b1 * b + b2 * c;
+    let error = 4.17232569e-7 * (abs(b0 * a) + abs(b1 * b) + abs(b2 * c));
+    return SurfacePoint(position, error);
+}
+
+// The least float above a finite x if `up`, else the greatest below.
+fn next_float(x: f32, up: bool) -> f32 {
+    let bits = bitcast<u32>(x);
+    let grows = (x > 0.0) == up;
+    let step = select(bits - 1u, bits + 1u, grows);
+    let smallest = select(0x80800000u, 0x00800000u, up);
+    return bitcast<f32>(select(step, smallest, x == 0.0));
+}
+
+// `p` moved off its surface to the side of `w`, along the unit normal `n`, just so far that the true point cannot lie on
+// the other side (PBRT, 4th ed., section 6.8.6).
+fn offset_ray_origin(p: vec3<f32>, error: vec3<f32>, n: vec3<f32>, w: vec3<f32>) -> vec3<f32> {
+    let d = dot(abs(n), error);
+    let offset = select(-d, d, dot(w, n) >= 0.0) * n;
+    let moved = p + offset;
+    return vec3(
+        select(moved.x, next_float(moved.x, offset.x > 0.0), offset.x != 0.0),
+        select(moved.y, next_float(moved.y, offset.y > 0.0), offset.y != 0.0),
+        select(moved.z, next_float(moved.z, offset.z > 0.0), offset.z != 0.0),
+    );
+}

@@ -1,0 +1,175 @@
+//! Twin of `shaders/lib/intersect.wgsl`: the same functions, in f32, step by step.
+
+use glam::{Vec2, Vec3, Vec3Swizzles};
+
+use crate::layout::ray::Ray;
+
+const SLAB_GROWTH: f32 = 1.0 / 1048576.0;
+const FAR_GROWTH: f32 = 1.0 + 1.0 / 1048576.0;
+const LEAST_PART: f32 = 1.0 / (1u64 << 60) as f32;
+
+/// What a ray needs for every box and triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Query {
+    pub origin: Vec3,
+    pub t_min: f32,
+    /// Shear and scale that turn the ray into the z axis, in permuted axes.
+    pub shear: Vec3,
+    pub t_max: f32,
+    /// Plane p along an axis is met at `p * inverse + low` if it bounds a box from below, `+ high` from above.
+    pub inverse: Vec3,
+    /// The axis along which the direction is largest.
+    pub axis: usize,
+    pub low: Vec3,
+    pub high: Vec3,
+}
+
+/// A triangle's hit, not yet compared with the ray's ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TriangleHit {
+    /// Clamped into the slabs of the triangle's own box.
+    pub t: f32,
+    /// Weight of the second corner.
+    pub b1: f32,
+    /// Weight of the third corner.
+    pub b2: f32,
+}
+
+fn fma3(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
+    Vec3::new(a.x.mul_add(b.x, c.x), a.y.mul_add(b.y, c.y), a.z.mul_add(b.z, c.z))
+}
+
+/// The coordinates in an order that puts `axis` last and keeps the handedness.
+pub fn permute(v: Vec3, axis: usize) -> Vec3 {
+    match axis {
+        0 => v.yzx(),
+        1 => v.zxy(),
+        _ => v,
+    }
+}
+
+/// The axis of the greatest absolute coordinate; z before x before y where they are equal.
+pub fn largest_axis(d: Vec3) -> usize {
+    let m = d.abs();
+    if m.z >= m.x.max(m.y) {
+        2
+    } else if m.x >= m.y {
+        0
+    } else {
+        1
+    }
+}
+
+/// `extent` is the greatest coordinate of the scene's box. The direction is not zero.
+pub fn prepare_query(ray: &Ray, extent: f32) -> Query {
+    let axis = largest_axis(ray.direction);
+    let d = permute(ray.direction, axis);
+    let least = d.z.abs() * LEAST_PART;
+    let inverse = 1.0
+        / Vec3::from_array(ray.direction.to_array().map(|d| match (d.abs() < least, d >= 0.0) {
+            (false, _) => d,
+            (true, true) => least,
+            (true, false) => -least,
+        }));
+    let reach = Vec3::splat(ray.origin.abs().max_element() + extent);
+    Query {
+        origin: ray.origin,
+        t_min: ray.t_min,
+        shear: Vec3::new(d.x / d.z, d.y / d.z, 1.0 / d.z),
+        t_max: ray.t_max,
+        inverse,
+        axis,
+        low: -(fma3(Vec3::splat(SLAB_GROWTH), reach, ray.origin) * inverse),
+        high: -(fma3(Vec3::splat(-SLAB_GROWTH), reach, ray.origin) * inverse),
+    }
+}
+
+/// Where the ray is inside the grown box: from x to y, empty if x > y.
+pub fn slab_interval(query: &Query, low: Vec3, high: Vec3) -> Vec2 {
+    let a = fma3(low, query.inverse, query.low);
+    let b = fma3(high, query.inverse, query.high);
+    Vec2::new(a.min(b).max_element(), a.max(b).min_element() * FAR_GROWTH)
+}
+
+/// `a * b - c * d` to 1.5 ulp (Kahan).
+pub fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
+    let cd = c * d;
+    let error = (-c).mul_add(d, cd);
+    a.mul_add(b, -cd) + error
+}
+
+/// Twice the signed area of (0, p, q), the negative of that of (0, q, p) to the bit.
+pub fn edge_function(p: Vec2, q: Vec2) -> f32 {
+    if p.x > q.x || (p.x == q.x && p.y > q.y) {
+        -difference_of_products(q.x, p.y, q.y, p.x)
+    } else {
+        difference_of_products(p.x, q.y, p.y, q.x)
+    }
+}
+
+/// The normal of a triangle by its winding, twice its area long.
+pub fn triangle_normal(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
+    let (e, f) = (b - a, c - a);
+    Vec3::new(
+        difference_of_products(e.y, f.z, e.z, f.y),
+        difference_of_products(e.z, f.x, e.x, f.z),
+        difference_of_products(e.x, f.y, e.y, f.x),
+    )
+}
+
+/// A corner relative to the ray: the ray is x = y = 0, and z grows along it.
+pub fn shear_corner(query: &Query, corner: Vec3) -> Vec3 {
+    let p = permute(corner - query.origin, query.axis);
+    Vec3::new((-query.shear.x).mul_add(p.z, p.x), (-query.shear.y).mul_add(p.z, p.y), p.z)
+}
+
+/// Both sides count, edges and corners belong to every triangle they bound, and a triangle without area is never hit.
+pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<TriangleHit> {
+    let [p, q, r] = [a, b, c].map(|corner| shear_corner(query, corner));
+    let u = edge_function(q.xy(), r.xy());
+    let v = edge_function(r.xy(), p.xy());
+    let w = edge_function(p.xy(), q.xy());
+    let det = u + v + w;
+    if (u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0) || det == 0.0 {
+        return None;
+    }
+    let interval = slab_interval(query, a.min(b).min(c), a.max(b).max(c));
+    if interval.x > interval.y || triangle_normal(a, b, c) == Vec3::ZERO {
+        return None;
+    }
+    let scale = 1.0 / det;
+    let depth = u.mul_add(p.z, v.mul_add(q.z, w * r.z)) * query.shear.z * scale;
+    Some(TriangleHit { t: depth.max(interval.x).min(interval.y), b1: v * scale, b2: w * scale })
+}
+
+/// A point of a triangle with weights `b1` and `b2` of its second and third corner, and the bound of each coordinate's
+/// error (PBRT, 4th ed., section 6.8.5).
+pub fn surface_point(a: Vec3, b: Vec3, c: Vec3, b1: f32, b2: f32) -> (Vec3, Vec3) {
+    let b0 = 1.0 - b1 - b2;
+    let error = 4.172_325_7e-7 * ((b0 * a).abs() + (b1 * b).abs() + (b2 * c).abs());
+    (b0 * a + b1 * b + b2 * c, error)
+}
+
+/// The least normal float above a finite `x` if `up`, else the greatest below.
+fn next_float(x: f32, up: bool) -> f32 {
+    match (x == 0.0, up) {
+        (true, true) => f32::MIN_POSITIVE,
+        (true, false) => -f32::MIN_POSITIVE,
+        _ if (x > 0.0) == up => f32::from_bits(x.to_bits() + 1),
+        _ => f32::from_bits(x.to_bits() - 1),
+    }
+}
+
+/// `p` moved off its surface to the side of `w`, along the unit normal `n`, just so far that the true point cannot lie
+/// on the other side (PBRT, 4th ed., section 6.8.6).
+pub fn offset_ray_origin(p: Vec3, error: Vec3, n: Vec3, w: Vec3) -> Vec3 {
+    let d = n.abs().dot(error);
+    let offset = if w.dot(n) >= 0.0 { d } else { -d } * n;
+    let mut moved = (p + offset).to_array();
+    for (x, offset) in moved.iter_mut().zip(offset.to_array()) {
+        if offset != 0.0 {
+            *x = next_float(*x, offset > 0.0);
+        }
+    }
+    Vec3::from_array(moved)
+}
