@@ -51,8 +51,14 @@ fn test_leaf(query: &Query, leaf: usize, tree: &Tree, hit: &mut Hit) {
         return;
     }
     if found.t < hit.t || (found.t == hit.t && triangle.index < hit.triangle) {
-        *hit =
-            Hit { t: found.t, triangle: triangle.index, leaf: leaf as u32, b1: found.b1, b2: found.b2, steps: hit.steps };
+        *hit = Hit {
+            t: found.t,
+            triangle: triangle.index,
+            leaf: leaf as u32,
+            b1: found.b1,
+            b2: found.b2,
+            steps: hit.steps,
+        };
     }
 }
 

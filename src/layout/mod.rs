@@ -7,6 +7,7 @@
 mod macros;
 pub mod clear;
 pub mod film;
+pub mod ray;
 pub mod trace;
 pub mod tree;
 
@@ -21,6 +22,9 @@ pub static ALL: &[&StructLayout] = &[
     &tree::Node::LAYOUT,
     &tree::BuildParams::LAYOUT,
     &tree::PyramidParams::LAYOUT,
+    &ray::Ray::LAYOUT,
+    &ray::Hit::LAYOUT,
+    &ray::ExtendParams::LAYOUT,
     &trace::MaterialRecord::LAYOUT,
     &trace::Shading::LAYOUT,
     &trace::SampleKey::LAYOUT,
@@ -36,7 +40,7 @@ pub static ALL: &[&StructLayout] = &[
 ];
 
 /// Every constant that WGSL can import from `package::gen`, module by module.
-pub static CONSTS: &[&[GpuConst]] = &[tree::CONSTS, trace::CONSTS, film::CONSTS];
+pub static CONSTS: &[&[GpuConst]] = &[tree::CONSTS, ray::CONSTS, trace::CONSTS, film::CONSTS];
 
 /// A struct as both Rust and WGSL lay it out.
 #[derive(Debug)]

@@ -4,6 +4,7 @@
 //! holds its rows, the buffers they need, and the function that records them. [`table::TABLE`] lists every row.
 
 mod clear;
+pub mod extend;
 pub mod film;
 mod pass;
 mod recording;

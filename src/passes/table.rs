@@ -1,6 +1,6 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, film};
+use super::{CLEAR, Pass, extend, film};
 
 /// Every pass the engine can run.
-pub static TABLE: &[&Pass] = &[&CLEAR, &film::ACCUMULATE, &film::DISPLAY];
+pub static TABLE: &[&Pass] = &[&CLEAR, &extend::EXTEND, &extend::OCCLUDED, &film::ACCUMULATE, &film::DISPLAY];
