@@ -1,4 +1,5 @@
 //! The twin of every pass on the CPU, by the same names; f64 where it is an oracle.
 
 pub mod intersect;
+pub mod sort;
 pub mod traverse;

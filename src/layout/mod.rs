@@ -8,6 +8,7 @@ mod macros;
 pub mod clear;
 pub mod film;
 pub mod ray;
+pub mod sort;
 pub mod trace;
 pub mod tree;
 
@@ -37,10 +38,13 @@ pub static ALL: &[&StructLayout] = &[
     &film::FilmCounters::LAYOUT,
     &film::AccumulateParams::LAYOUT,
     &film::DisplayParams::LAYOUT,
+    &sort::SortParams::LAYOUT,
+    &sort::SortDigit::LAYOUT,
+    &sort::SortPlan::LAYOUT,
 ];
 
 /// Every constant that WGSL can import from `package::gen`, module by module.
-pub static CONSTS: &[&[GpuConst]] = &[tree::CONSTS, ray::CONSTS, trace::CONSTS, film::CONSTS];
+pub static CONSTS: &[&[GpuConst]] = &[tree::CONSTS, ray::CONSTS, trace::CONSTS, film::CONSTS, sort::CONSTS];
 
 /// A struct as both Rust and WGSL lay it out.
 #[derive(Debug)]

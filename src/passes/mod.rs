@@ -8,6 +8,7 @@ pub mod extend;
 pub mod film;
 mod pass;
 mod recording;
+pub mod sort;
 pub mod table;
 pub mod trace;
 

@@ -1,6 +1,18 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, extend, film};
+use super::{CLEAR, Pass, extend, film, sort};
 
 /// Every pass the engine can run.
-pub static TABLE: &[&Pass] = &[&CLEAR, &extend::EXTEND, &extend::OCCLUDED, &film::ACCUMULATE, &film::DISPLAY];
+pub static TABLE: &[&Pass] = &[
+    &CLEAR,
+    &sort::SORT_AGREE,
+    &sort::SORT_PLAN,
+    &sort::SORT_COUNT,
+    &sort::SORT_SCAN,
+    &sort::SORT_SCATTER,
+    &sort::SORT_FILL,
+    &extend::EXTEND,
+    &extend::OCCLUDED,
+    &film::ACCUMULATE,
+    &film::DISPLAY,
+];
