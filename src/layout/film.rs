@@ -62,6 +62,8 @@ gpu_struct! {
         pub layers: u32,
         /// Radiance is scaled by 2^exponent.
         pub exponent: i32,
+        /// Where the window's first pixel is in `film`: above 0 where a batch holds some rows of it only.
+        pub first_pixel: u32,
     }
 
     /// Parameters of the display pass.

@@ -47,8 +47,9 @@ pub fn record_reset(recording: &mut Recording, pixels: u32) {
     clear(recording, "counters", 0, (size_of::<FilmCounters>() / 4) as u32);
 }
 
-/// Records the adding of what a trace kernel with `trace` left in `radiance`.
-pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponent: i32) {
+/// Records the adding of what a trace kernel with `trace` left in `radiance`. The first pixel of its window is number
+/// `first_pixel` of the film.
+pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponent: i32, first_pixel: u32) {
     let params = AccumulateParams {
         film_width: trace.film_width,
         window_x: trace.window_x,
@@ -58,6 +59,7 @@ pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponen
         first_sample: trace.first_sample,
         layers: trace.layers,
         exponent,
+        first_pixel,
     };
     let pixels = u64::from(trace.window_width) * u64::from(trace.window_height);
     recording.run(&ACCUMULATE, Size::Items(pixels)).params(&params);

@@ -61,13 +61,13 @@ fn add_layers(pixel: u32) -> u32 {
     let pixels = params.window_width * params.window_height;
     var rays = 0u;
     for (var half = 0u; half < 2u; half++) {
-        var sums = film[pixel].halves[half];
+        var sums = film[params.first_pixel + pixel].halves[half];
         for (var layer = (params.first_sample + half) & 1u; layer < params.layers; layer += 2u) {
             let from = radiance[layer * pixels + pixel];
             rays += from.info & ~SAMPLE_BAD;
             add_or_log(&sums, from, pixel, params.first_sample + layer);
         }
-        film[pixel].halves[half] = sums;
+        film[params.first_pixel + pixel].halves[half] = sums;
     }
     return rays;
 }
