@@ -1,4 +1,5 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
 mod layout;
+mod shader;
 mod support;

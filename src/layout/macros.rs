@@ -36,6 +36,7 @@ macro_rules! gpu_struct {
                         name: stringify!($field),
                         ty: <$ty as $crate::layout::GpuField>::TYPE,
                         offset: ::core::mem::offset_of!(Self, $field) as u32,
+                        size: ::core::mem::size_of::<$ty>() as u32,
                     },
                 )+],
             };

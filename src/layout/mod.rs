@@ -64,6 +64,8 @@ pub struct FieldLayout {
     pub ty: FieldType,
     /// Bytes from the start of the struct.
     pub offset: u32,
+    /// Bytes.
+    pub size: u32,
 }
 
 /// The type of a field.

@@ -1,1 +1,28 @@
 //! Linker, source map, validation and reflection of WGSL. Does not know wgpu.
+//!
+//! A module is a file below shaders/: `shaders/lib/rng.wgsl` is `lib/rng`, and says what it takes from others in WESL's
+//! syntax, `import package::lib::rng::{next_2d};`. All names share one flat namespace: a module is included whole, once,
+//! behind what it imports, and nothing in it moves, so that an error of naga has its place in the original file.
+//! `package::gen` holds the structs and constants of [`crate::layout`]. `@if(feature)`, `@elif` and `@else` stand before
+//! declarations, statements, struct members and parameters.
+
+mod check;
+mod conditional;
+mod error;
+mod generated;
+mod library;
+mod link;
+mod message;
+mod module;
+mod reflect;
+mod token;
+
+use std::collections::BTreeSet;
+
+pub use error::{ErrorKind, Place, ShaderError, Source};
+pub use library::Library;
+pub use link::Linked;
+pub use reflect::{BoundResource, EntryPoint, ResourceKind};
+
+/// Names of scene features, as `@if` knows them.
+pub type Features = BTreeSet<String>;

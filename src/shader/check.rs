@@ -1,0 +1,163 @@
+//! Parses and validates a joined text with naga, and compares the shared structs' layouts.
+
+use std::ops::Range;
+
+use naga::compact::KeepUnused;
+use naga::valid::{Capabilities, GlobalVariableError, ModuleInfo, ValidationError, ValidationFlags, Validator};
+use naga::{AddressSpace, Handle, Module, Span, Type, TypeInner, WithSpan};
+
+use crate::layout::StructLayout;
+
+use super::error::{ErrorKind, ShaderError};
+use super::generated::{FILE, Generated};
+use super::library::Library;
+use super::link::SourceMap;
+use super::{Features, message};
+
+/// Makes naga's module of a joined text: valid, of the layout that Rust has, and without what no entry point uses.
+pub fn check(
+    text: &str,
+    map: &SourceMap,
+    generated: &Generated,
+    library: &Library,
+    features: &Features,
+) -> Result<(Module, ModuleInfo), ShaderError> {
+    let mut module =
+        naga::front::wgsl::parse_str(text).map_err(|error| parse_error(&error, text, map, library, features))?;
+    validate(&module, text, map)?;
+    check_bindings(&module, map)?;
+    for layout in &generated.structs {
+        check_layout(&module, layout, generated)?;
+    }
+    naga::compact::compact(&mut module, KeepUnused::No);
+    let info = validate(&module, text, map)?;
+    Ok((module, info))
+}
+
+/// Validates for an adapter without optional features: what a shader needs beyond has no place in a portable engine.
+fn validate(module: &Module, text: &str, map: &SourceMap) -> Result<ModuleInfo, ShaderError> {
+    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::default());
+    validator.validate(module).map_err(|error| validation_error(&error, module, text, map))
+}
+
+fn parse_error(
+    error: &naga::front::wgsl::ParseError,
+    text: &str,
+    map: &SourceMap,
+    library: &Library,
+    features: &Features,
+) -> ShaderError {
+    let message = error.message().to_owned();
+    let range = error.labels().find_map(|(span, _)| span.to_range()).unwrap_or(text.len()..text.len());
+    // naga has one type for all errors of its front end: those of the grammar say what they expected.
+    let syntax = message.starts_with("expected") || message.contains("found \"");
+    let kind = if syntax { ErrorKind::Syntax } else { ErrorKind::Type };
+    let unknown = message.starts_with("no definition in scope").then(|| text.get(range.clone())).flatten();
+    let located = map.error(kind, range, message);
+    if let Some(module) = unknown.and_then(|name| declaring_module(library, features, name)) {
+        let name = unknown.unwrap_or_default();
+        return located.help(format!("import package::{}::{name};", module.replace('/', "::")));
+    }
+    let notes: Vec<&str> = error.notes().collect();
+    if notes.is_empty() { located } else { located.help(notes.join("; ")) }
+}
+
+/// The first module of the library that declares a name.
+fn declaring_module<'a>(library: &'a Library, features: &Features, name: &str) -> Option<&'a str> {
+    if library.shared().knows(name) {
+        return Some("gen");
+    }
+    library.modules().find(|module| {
+        let scanned = library.scan(module, features);
+        scanned.is_ok_and(|scanned| scanned.declarations.iter().any(|declared| declared.name == name))
+    })
+}
+
+/// naga's first label of a type error is the whole function: the narrowest is where the error is.
+fn validation_error(error: &WithSpan<ValidationError>, module: &Module, text: &str, map: &SourceMap) -> ShaderError {
+    let ranges = error.spans().filter_map(|(span, _)| span.to_range());
+    let narrowest = ranges.filter(|range| !range.is_empty()).min_by_key(Range::len);
+    let range = narrowest.or_else(|| span_of(error.as_inner(), module).to_range()).unwrap_or(0..0);
+    let kind = match error.as_inner() {
+        ValidationError::GlobalVariable { source: GlobalVariableError::InvalidBinding, .. } => ErrorKind::Binding,
+        ValidationError::EntryPoint { source: naga::valid::EntryPointError::BindingCollision(_), .. } => {
+            ErrorKind::Binding
+        }
+        _ => ErrorKind::Type,
+    };
+    map.error(kind, range, message::validation(error.as_inner(), module, text))
+}
+
+/// A place for an error that naga gives none: the start of what it is about.
+fn span_of(error: &ValidationError, module: &Module) -> Span {
+    match error {
+        ValidationError::Function { handle, .. } => module.functions.get_span(*handle),
+        ValidationError::GlobalVariable { handle, .. } => module.global_variables.get_span(*handle),
+        ValidationError::EntryPoint { name, .. } => {
+            let entry = module.entry_points.iter().find(|entry| entry.name == *name);
+            let spans = entry.into_iter().flat_map(|entry| entry.function.body.span_iter());
+            spans.map(|(_, span)| *span).find(Span::is_defined).unwrap_or_default()
+        }
+        _ => Span::default(),
+    }
+}
+
+/// Passes have storage buffers and uniforms, nothing else.
+fn check_bindings(module: &Module, map: &SourceMap) -> Result<(), ShaderError> {
+    for (handle, variable) in module.global_variables.iter() {
+        let known = matches!(
+            variable.space,
+            AddressSpace::Private | AddressSpace::WorkGroup | AddressSpace::Uniform | AddressSpace::Storage { .. }
+        );
+        if !known {
+            let name = variable.name.as_deref().unwrap_or("_");
+            let range = module.global_variables.get_span(handle).to_range().unwrap_or(0..0);
+            let message = format!("`{name}` is neither a storage buffer nor a uniform: passes have no other bindings");
+            return Err(map.error(ErrorKind::Binding, range, message));
+        }
+    }
+    Ok(())
+}
+
+/// Compares a struct with what naga made of its generated text.
+fn check_layout(module: &Module, layout: &StructLayout, generated: &Generated) -> Result<(), ShaderError> {
+    let at = |name: &str, message: String| {
+        let struct_start = generated.source.text.find(&format!("struct {} {{", layout.name)).unwrap_or(0);
+        let range = generated.source.text[struct_start..]
+            .find(&format!(" {name}"))
+            .map_or(struct_start..struct_start, |at| struct_start + at + 1..struct_start + at + 1 + name.len());
+        ShaderError::at(ErrorKind::Layout, &generated.source, range, message)
+    };
+    let named = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(layout.name));
+    let Some((handle, Type { inner: TypeInner::Struct { members, span }, .. })) = named else {
+        let message = format!("naga lost the struct `{}` of {FILE}", layout.name);
+        return Err(at(layout.name, message));
+    };
+    for (member, field) in members.iter().zip(layout.fields) {
+        let size = module.types[member.ty].inner.size(module.to_ctx());
+        if (member.offset, size) != (field.offset, field.size) {
+            let message = format!(
+                "`{}.{}` is {} bytes at offset {} in Rust, {size} at {} in WGSL",
+                layout.name, field.name, field.size, field.offset, member.offset
+            );
+            return Err(at(field.name, message));
+        }
+    }
+    let align = alignment(module, handle);
+    if (*span, align, members.len()) != (layout.size, layout.align, layout.fields.len()) {
+        let message = format!(
+            "`{}` is {} bytes aligned to {} in Rust, {span} aligned to {align} in WGSL",
+            layout.name, layout.size, layout.align
+        );
+        return Err(at(layout.name, message));
+    }
+    Ok(())
+}
+
+fn alignment(module: &Module, handle: Handle<Type>) -> u32 {
+    let mut layouter = naga::proc::Layouter::default();
+    match layouter.update(module.to_ctx()) {
+        Ok(()) => layouter[handle].alignment.round_up(1),
+        Err(_) => 0,
+    }
+}

@@ -1,0 +1,132 @@
+//! The shader files: embedded in the binary, read from a folder, or put in by a test.
+
+use std::collections::BTreeMap;
+use std::collections::hash_map::DefaultHasher;
+use std::fs;
+use std::hash::{Hash, Hasher};
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::layout::{GpuConst, StructLayout};
+
+use super::Features;
+use super::error::{ErrorKind, ShaderError, Source};
+use super::generated::Shared;
+use super::link::{self, Linked};
+use super::module::{self, Module};
+
+/// Every file of shaders/: (module, text).
+static EMBEDDED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
+
+/// A set of modules that import each other.
+#[derive(Clone)]
+pub struct Library {
+    /// Before the module's name in messages: `shaders`.
+    folder: String,
+    /// By name; one that can't be read keeps the reason.
+    modules: BTreeMap<String, Result<Arc<Source>, String>>,
+    shared: Shared,
+}
+
+impl Library {
+    fn empty(folder: String) -> Self {
+        Library { folder, modules: BTreeMap::new(), shared: Shared::registered() }
+    }
+
+    /// The shaders that this binary was built with.
+    pub fn embedded() -> Self {
+        let library = Library::empty("shaders".to_owned());
+        EMBEDDED.iter().fold(library, |library, (module, text)| library.with(module, text))
+    }
+
+    /// The `.wgsl` files below a folder. A file that can't be read is an error only when something imports it.
+    pub fn open(folder: &Path) -> Result<Self, ShaderError> {
+        let mut library = Library::empty(folder.display().to_string().replace('\\', "/"));
+        library.read_folder(folder, "").map_err(|(path, error)| {
+            ShaderError::nowhere(ErrorKind::Read, format!("{path}: this folder of shaders can't be read: {error}"))
+        })?;
+        Ok(library)
+    }
+
+    /// `./shaders` where that is a folder of ours, else the embedded ones.
+    pub fn shipped() -> Self {
+        let folder = Path::new("shaders");
+        let ours = folder.join("passes").is_dir() && folder.join("lib").is_dir();
+        if ours && let Ok(library) = Library::open(folder) { library } else { Library::embedded() }
+    }
+
+    /// The library with one module replaced or added.
+    pub fn with(mut self, module: &str, text: &str) -> Self {
+        self.insert(module, Ok(text.to_owned()));
+        self
+    }
+
+    /// The library with more shared structs and constants in `package::gen`.
+    pub fn with_layouts(mut self, structs: &[&'static StructLayout], consts: &'static [GpuConst]) -> Self {
+        self.shared.add(structs, consts);
+        self
+    }
+
+    /// The names of all modules, in order.
+    pub fn modules(&self) -> impl Iterator<Item = &str> {
+        self.modules.keys().map(String::as_str)
+    }
+
+    /// A number that changes with the module's text, the same in every process; None for an unknown module.
+    pub fn hash(&self, module: &str) -> Option<u64> {
+        let mut hasher = DefaultHasher::new();
+        match self.modules.get(module)? {
+            Ok(source) => source.text.hash(&mut hasher),
+            Err(reason) => reason.hash(&mut hasher),
+        }
+        Some(hasher.finish())
+    }
+
+    /// Joins a module and all it imports, directly or not, validates them and compares the shared structs' layouts.
+    ///
+    /// Fails on the first thing that is wrong, at its place in the file that holds it.
+    pub fn link(&self, module: &str, features: &Features) -> Result<Linked, ShaderError> {
+        link::link(self, module, features)
+    }
+
+    pub(super) fn shared(&self) -> &Shared {
+        &self.shared
+    }
+
+    /// Reads a module under some features.
+    pub(super) fn scan(&self, name: &str, features: &Features) -> Result<Module, ShaderError> {
+        match self.modules.get(name) {
+            Some(Ok(source)) => module::scan(source, features),
+            Some(Err(reason)) => {
+                let message = format!("{}/{name}.wgsl: this file can't be read: {reason}", self.folder);
+                Err(ShaderError::nowhere(ErrorKind::Read, message))
+            }
+            None => Err(ShaderError::nowhere(ErrorKind::Import, format!("there is no shader `{name}`"))
+                .help(format!("shaders are named by their path below {}/, without .wgsl", self.folder))),
+        }
+    }
+
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.modules.contains_key(name)
+    }
+
+    fn insert(&mut self, module: &str, text: Result<String, String>) {
+        let file = format!("{}/{module}.wgsl", self.folder);
+        self.modules.insert(module.to_owned(), text.map(|text| Arc::new(Source { file, text })));
+    }
+
+    fn read_folder(&mut self, folder: &Path, prefix: &str) -> Result<(), (String, std::io::Error)> {
+        let fail = |error| (folder.display().to_string(), error);
+        for entry in fs::read_dir(folder).map_err(fail)? {
+            let path = entry.map_err(fail)?.path();
+            let Some(name) = path.file_name().and_then(|name| name.to_str()) else { continue };
+            if path.is_dir() {
+                self.read_folder(&path, &format!("{prefix}{name}/"))?;
+            } else if let Some(stem) = name.strip_suffix(".wgsl") {
+                let text = fs::read_to_string(&path).map_err(|error| error.to_string());
+                self.insert(&format!("{prefix}{stem}"), text);
+            }
+        }
+        Ok(())
+    }
+}

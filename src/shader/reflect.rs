@@ -1,0 +1,121 @@
+//! What an entry point wants from its pass.
+
+use naga::{AddressSpace, ArraySize, Handle, Module, ScalarKind, StorageAccess, Type, TypeInner};
+
+use super::link::Linked;
+
+/// An entry point of a linked module.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EntryPoint {
+    pub name: String,
+    pub workgroup_size: [u32; 3],
+    /// Only those that it uses, directly or through functions, by group and binding.
+    pub bindings: Vec<BoundResource>,
+}
+
+/// A buffer that an entry point uses.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BoundResource {
+    pub name: String,
+    pub group: u32,
+    pub binding: u32,
+    pub kind: ResourceKind,
+    /// As WGSL writes it: `array<vec2<u32>>`, `SortParams`.
+    pub ty: String,
+    /// Bytes; at least, if the type ends in an array without a length (one element is counted).
+    pub size: u32,
+}
+
+/// How a buffer is bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ResourceKind {
+    /// `var<storage, read>`
+    StorageRead,
+    /// `var<storage, read_write>`
+    StorageReadWrite,
+    /// `var<uniform>`
+    Uniform,
+}
+
+impl Linked {
+    /// The entry point of a name.
+    pub fn entry(&self, name: &str) -> Option<EntryPoint> {
+        let index = self.module.entry_points.iter().position(|entry| entry.name == name)?;
+        let used = self.info.get_entry_point(index);
+        let variables = self.module.global_variables.iter();
+        let mut bindings: Vec<BoundResource> = variables
+            .filter(|(handle, _)| !used[*handle].is_empty())
+            .filter_map(|(_, variable)| bound_resource(&self.module, variable))
+            .collect();
+        bindings.sort_by_key(|bound| (bound.group, bound.binding));
+        let workgroup_size = self.module.entry_points[index].workgroup_size;
+        Some(EntryPoint { name: name.to_owned(), workgroup_size, bindings })
+    }
+
+    /// The names of all entry points, in the order of the text.
+    pub fn entries(&self) -> impl Iterator<Item = &str> {
+        self.module.entry_points.iter().map(|entry| entry.name.as_str())
+    }
+}
+
+fn bound_resource(module: &Module, variable: &naga::GlobalVariable) -> Option<BoundResource> {
+    let binding = variable.binding?;
+    let kind = match variable.space {
+        AddressSpace::Uniform => ResourceKind::Uniform,
+        AddressSpace::Storage { access } if access.contains(StorageAccess::STORE) => ResourceKind::StorageReadWrite,
+        AddressSpace::Storage { .. } => ResourceKind::StorageRead,
+        _ => return None,
+    };
+    Some(BoundResource {
+        name: variable.name.clone().unwrap_or_default(),
+        group: binding.group,
+        binding: binding.binding,
+        kind,
+        ty: type_text(module, variable.ty),
+        size: module.types[variable.ty].inner.size(module.to_ctx()),
+    })
+}
+
+/// A type as WGSL writes it, without aliases.
+pub(super) fn type_text(module: &Module, handle: Handle<Type>) -> String {
+    let ty = &module.types[handle];
+    match (&ty.inner, &ty.name) {
+        (TypeInner::Struct { .. }, Some(name)) => name.clone(),
+        (inner, _) => type_name(module, inner),
+    }
+}
+
+/// A type that is no struct, as WGSL writes it.
+pub(super) fn type_name(module: &Module, inner: &TypeInner) -> String {
+    match inner {
+        TypeInner::Scalar(scalar) => scalar_name(*scalar),
+        TypeInner::Vector { size, scalar } => format!("vec{}<{}>", *size as u32, scalar_name(*scalar)),
+        TypeInner::Matrix { columns, rows, scalar } => {
+            format!("mat{}x{}<{}>", *columns as u32, *rows as u32, scalar_name(*scalar))
+        }
+        TypeInner::Atomic(scalar) => format!("atomic<{}>", scalar_name(*scalar)),
+        TypeInner::Array { base, size: ArraySize::Constant(count), .. } => {
+            format!("array<{}, {count}>", type_text(module, *base))
+        }
+        TypeInner::Array { base, .. } => format!("array<{}>", type_text(module, *base)),
+        TypeInner::Pointer { base, .. } => format!("pointer to {}", type_text(module, *base)),
+        TypeInner::ValuePointer { size: Some(size), scalar, .. } => {
+            format!("pointer to vec{}<{}>", *size as u32, scalar_name(*scalar))
+        }
+        TypeInner::ValuePointer { scalar, .. } => format!("pointer to {}", scalar_name(*scalar)),
+        TypeInner::Struct { .. } => "struct".to_owned(),
+        _ => "resource".to_owned(),
+    }
+}
+
+fn scalar_name(scalar: naga::Scalar) -> String {
+    let bits = u32::from(scalar.width) * 8;
+    match scalar.kind {
+        ScalarKind::Sint => format!("i{bits}"),
+        ScalarKind::Uint => format!("u{bits}"),
+        ScalarKind::Float => format!("f{bits}"),
+        ScalarKind::Bool => "bool".to_owned(),
+        ScalarKind::AbstractInt => "abstract integer".to_owned(),
+        ScalarKind::AbstractFloat => "abstract float".to_owned(),
+    }
+}

@@ -1,0 +1,79 @@
+//! Splits WGSL into tokens, as far as the linker needs: identifiers, numbers, and single characters.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::error::{ErrorKind, ShaderError, Source};
+
+/// A token.
+#[derive(Clone, Debug)]
+pub struct Token {
+    pub kind: TokenKind,
+    /// Bytes of the source.
+    pub range: Range<usize>,
+}
+
+/// The kind of a [`Token`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TokenKind {
+    /// An identifier or keyword.
+    Word,
+    Number,
+    /// One character of punctuation: `->` is two tokens.
+    Sign,
+}
+
+/// The tokens of a source, comments left out.
+pub fn tokenize(source: &Arc<Source>) -> Result<Vec<Token>, ShaderError> {
+    let text = source.text.as_str();
+    let mut tokens = Vec::new();
+    let mut at = 0;
+    while let Some(c) = text[at..].chars().next() {
+        let rest = &text[at..];
+        if rest.starts_with("//") {
+            at += rest.find('\n').unwrap_or(rest.len());
+        } else if rest.starts_with("/*") {
+            at += comment_length(rest)
+                .ok_or_else(|| ShaderError::at(ErrorKind::Syntax, source, at..at + 2, "this comment has no end"))?;
+        } else if c.is_whitespace() {
+            at += c.len_utf8();
+        } else {
+            let (kind, length) = if c.is_ascii_digit() {
+                (TokenKind::Number, span(rest, |c| c.is_alphanumeric() || c == '.'))
+            } else if c.is_alphabetic() || c == '_' {
+                (TokenKind::Word, span(rest, |c| c.is_alphanumeric() || c == '_'))
+            } else {
+                (TokenKind::Sign, c.len_utf8())
+            };
+            tokens.push(Token { kind, range: at..at + length });
+            at += length;
+        }
+    }
+    Ok(tokens)
+}
+
+/// The bytes at the start of a text whose characters pass the test.
+fn span(text: &str, test: impl Fn(char) -> bool) -> usize {
+    text.find(|c| !test(c)).unwrap_or(text.len())
+}
+
+/// The length of the block comment that starts a text; they nest.
+fn comment_length(text: &str) -> Option<usize> {
+    let mut depth = 0;
+    let mut at = 0;
+    while at < text.len() {
+        if text.as_bytes()[at..].starts_with(b"/*") {
+            depth += 1;
+            at += 2;
+        } else if text.as_bytes()[at..].starts_with(b"*/") {
+            depth -= 1;
+            at += 2;
+            if depth == 0 {
+                return Some(at);
+            }
+        } else {
+            at += 1;
+        }
+    }
+    None
+}
