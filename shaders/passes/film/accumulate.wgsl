@@ -43,13 +43,13 @@ fn add_sample(half: ptr<function, FilmHalf>, value: vec3<f32>) -> u32 {
 }
 
 // Adds one sample of `pixel`, whichever way it turned out.
-fn add_or_log(half: ptr<function, FilmHalf>, from: RadianceSample, pixel: u32, sample: u32) {
-    if ((from.info & SAMPLE_BAD) != 0u) {
-        log_bad(pixel, sample, u32(from.rgb.y), u32(from.rgb.z), u32(from.rgb.x));
+fn add_or_log(half: ptr<function, FilmHalf>, arrived: RadianceSample, pixel: u32, sample: u32) {
+    if ((arrived.info & SAMPLE_BAD) != 0u) {
+        log_bad(pixel, sample, u32(arrived.rgb.y), u32(arrived.rgb.z), u32(arrived.rgb.x));
         (*half).bad += 1u;
         return;
     }
-    let kind = add_sample(half, from.rgb);
+    let kind = add_sample(half, arrived.rgb);
     if (kind != 0u) {
         log_bad(pixel, sample, UNKNOWN_BOUNCE, NO_MATERIAL, kind);
         (*half).bad += 1u;
@@ -63,9 +63,9 @@ fn add_layers(pixel: u32) -> u32 {
     for (var half = 0u; half < 2u; half++) {
         var sums = film[params.first_pixel + pixel].halves[half];
         for (var layer = (params.first_sample + half) & 1u; layer < params.layers; layer += 2u) {
-            let from = radiance[layer * pixels + pixel];
-            rays += from.info & ~SAMPLE_BAD;
-            add_or_log(&sums, from, pixel, params.first_sample + layer);
+            let arrived = radiance[layer * pixels + pixel];
+            rays += arrived.info & ~SAMPLE_BAD;
+            add_or_log(&sums, arrived, pixel, params.first_sample + layer);
         }
         film[params.first_pixel + pixel].halves[half] = sums;
     }

@@ -1,0 +1,136 @@
+//! The path kernel in f64, small and plain: the judge of `passes/trace/path`. The same estimator on the same random
+//! numbers, so that the two can be compared path by path.
+
+use glam::{DVec2, DVec3, UVec2};
+
+use super::bsdf::Reflection;
+use super::rng::{sample_1d, sample_2d, sample_key};
+use super::triangles::{HitF64, TriangleSet};
+use crate::layout::trace::{
+    DIMENSIONS_PER_BOUNCE, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SampleKey, Shading, TraceParams,
+};
+use crate::layout::tree::Triangle;
+
+/// A scene as the trace kernel gets it.
+pub struct PathScene<'a> {
+    pub triangles: TriangleSet,
+    pub materials: &'a [MaterialRecord],
+    /// In scene order; empty: geometric normals everywhere.
+    pub shading: &'a [Shading],
+    /// Russian roulette.
+    pub roulette: bool,
+}
+
+/// One sample of one pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Traced {
+    pub radiance: DVec3,
+    /// Rays it took.
+    pub rays: u32,
+}
+
+/// A surface at a hit: normals of unit length, on the side of the viewer.
+struct Surface {
+    geometric: DVec3,
+    shading: DVec3,
+    from_behind: bool,
+}
+
+impl<'a> PathScene<'a> {
+    /// Without shading normals and without roulette.
+    pub fn new(triangles: &[Triangle], materials: &'a [MaterialRecord]) -> Self {
+        Self { triangles: TriangleSet::new(triangles), materials, shading: &[], roulette: false }
+    }
+
+    /// A film sample of a pixel of the whole film; what the kernel reads of `params` is read here.
+    pub fn sample(&self, params: &TraceParams, pixel: UVec2, sample: u32) -> Traced {
+        let key = sample_key(pixel.y * params.film_width + pixel.x, sample, params.seed);
+        let mut origin = params.position.as_dvec3();
+        let mut direction = camera_direction(params, pixel.as_dvec2() + sample_2d(key, 0));
+        let mut throughput = DVec3::ONE;
+        let mut traced = Traced::default();
+        for bounce in 0..params.max_depth {
+            traced.rays += 1;
+            // Hits are within 1e-15 of the scene's size, so this leaves out the surface the ray starts on, and it alone.
+            let Some(hit) = self.triangles.closest(origin, direction, 1e-9) else {
+                traced.radiance += throughput * params.environment.as_dvec3();
+                break;
+            };
+            let material = &self.materials[hit.triangle.material as usize];
+            let surface = self.surface(&hit, -direction);
+            if !(surface.from_behind && material.flags & MATERIAL_ONE_SIDED != 0) {
+                traced.radiance += throughput * material.emission.as_dvec3();
+            }
+            let Some((next, weight)) = scatter(material, &surface, -direction, key, bounce) else { break };
+            throughput *= weight;
+            if self.roulette && bounce >= ROULETTE_BOUNCE {
+                let survival = throughput.max_element().min(1.0);
+                if sample_1d(key, (bounce + 1) * DIMENSIONS_PER_BOUNCE + 2) >= survival {
+                    break;
+                }
+                throughput /= survival;
+            }
+            origin += hit.t * direction;
+            direction = next;
+        }
+        traced
+    }
+
+    fn surface(&self, hit: &HitF64, wo: DVec3) -> Surface {
+        let [a, b, c] = hit.triangle.corners;
+        let raw = (b - a).cross(c - a).normalize();
+        let from_behind = raw.dot(wo) < 0.0;
+        let geometric = if from_behind { -raw } else { raw };
+        let smooth = self.shading.get(hit.triangle.index as usize).and_then(|n| smooth_normal(n, hit.b));
+        let shading = smooth
+            .map(|n| if n.dot(geometric) < 0.0 { -n } else { n })
+            .filter(|n| n.dot(wo) > 0.0)
+            .unwrap_or(geometric);
+        Surface { geometric, shading, from_behind }
+    }
+}
+
+/// A new direction and f cos / pdf; none where nothing is carried on.
+fn scatter(
+    material: &MaterialRecord,
+    surface: &Surface,
+    wo: DVec3,
+    key: SampleKey,
+    bounce: u32,
+) -> Option<(DVec3, DVec3)> {
+    let first = (bounce + 1) * DIMENSIONS_PER_BOUNCE;
+    let reflection = Reflection::from(material);
+    let wi = reflection.sample(surface.shading, wo, sample_1d(key, first), sample_2d(key, first + 1));
+    if wi.dot(surface.shading) <= 0.0 || wi.dot(surface.geometric) <= 0.0 {
+        return None;
+    }
+    let at = reflection.evaluate(surface.shading, wo, wi);
+    (at.pdf > 0.0 && at.value.max_element() > 0.0).then(|| (wi, at.value / at.pdf))
+}
+
+/// Unit direction through a point of the whole film, in pixels from its top left corner.
+pub fn camera_direction(params: &TraceParams, at: DVec2) -> DVec3 {
+    let size = DVec2::new(f64::from(params.film_width), f64::from(params.film_height));
+    let s = (2.0 * at / size - 1.0) * DVec2::new(1.0, -1.0);
+    (params.forward.as_dvec3() + s.x * params.right.as_dvec3() + s.y * params.up.as_dvec3()).normalize()
+}
+
+fn smooth_normal(corners: &Shading, b: [f64; 2]) -> Option<DVec3> {
+    let words = [corners.n0, corners.n1, corners.n2];
+    if words.contains(&0) {
+        return None;
+    }
+    let [n0, n1, n2] = words.map(octahedral_decode);
+    let n = (1.0 - b[0] - b[1]) * n0 + b[0] * n1 + b[1] * n2;
+    (n.length_squared() >= 1e-6).then(|| n.normalize())
+}
+
+/// A unit vector from its octahedral snorm16 pair (Cigolle et al., JCGT 3(2), 2014).
+pub fn octahedral_decode(word: u32) -> DVec3 {
+    let snorm = |half: u32| (f64::from(half as u16 as i16) / 32767.0).max(-1.0);
+    let (x, y) = (snorm(word), snorm(word >> 16));
+    let z = 1.0 - x.abs() - y.abs();
+    let fold = (-z).max(0.0);
+    let shrink = |v: f64| if v >= 0.0 { v - fold } else { v + fold };
+    DVec3::new(shrink(x), shrink(y), z).normalize()
+}
