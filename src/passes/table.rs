@@ -1,6 +1,6 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, build, extend, film, sort};
+use super::{CLEAR, Pass, extend, film, sort, trace};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &[
@@ -11,13 +11,9 @@ pub static TABLE: &[&Pass] = &[
     &sort::SORT_SCAN,
     &sort::SORT_SCATTER,
     &sort::SORT_FILL,
-    &build::BOUNDS,
-    &build::MORTON,
-    &build::LEAVES,
-    &build::PYRAMID,
-    &build::NODES,
     &extend::EXTEND,
     &extend::OCCLUDED,
+    &trace::PATH,
     &film::ACCUMULATE,
     &film::DISPLAY,
 ];

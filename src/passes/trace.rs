@@ -12,12 +12,12 @@ pub static PATH: Pass = Pass {
     module: "passes/trace/path",
     entry: "path",
     bindings: &[
-        Binding::params("TraceParams"),
         Binding::read("nodes", "array<Node>"),
         Binding::read("leaves", "array<Triangle>"),
+        Binding::params("TraceParams"),
         Binding::read("materials", "array<MaterialRecord>"),
-        Binding::read("shading", "array<Shading>").when("normals"),
         Binding::write("radiance", "array<RadianceSample>"),
+        Binding::read("shading", "array<Shading>").when("normals"),
     ],
     shape: Shape::Pixels,
 };

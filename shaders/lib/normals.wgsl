@@ -1,0 +1,26 @@
+// Smooth shading normals.
+
+import package::gen::{Shading};
+
+// A unit vector from its octahedral snorm16 pair (Cigolle et al., JCGT 3(2), 2014).
+fn octahedral_decode(word: u32) -> vec3<f32> {
+    let e = max(vec2<f32>(vec2<i32>(bitcast<i32>(word << 16u), bitcast<i32>(word)) >> vec2<u32>(16u)) / 32767.0, vec2<f32>(-1.0));
+    let z = 1.0 - abs(e.x) - abs(e.y);
+    let fold = max(-z, 0.0);
+    return normalize(vec3<f32>(e - fold * select(vec2<f32>(-1.0), vec2<f32>(1.0), e >= vec2<f32>(0.0)), z));
+}
+
+// The normal at weights b1 and b2 of the second and third corner, on the side of `geometric`; that one itself where a
+// corner has none or they cancel. Unit length.
+fn interpolate_normal(corners: Shading, b1: f32, b2: f32, geometric: vec3<f32>) -> vec3<f32> {
+    if (corners.n0 == 0u || corners.n1 == 0u || corners.n2 == 0u) {
+        return geometric;
+    }
+    let n = (1.0 - b1 - b2) * octahedral_decode(corners.n0)
+        + b1 * octahedral_decode(corners.n1)
+        + b2 * octahedral_decode(corners.n2);
+    if (dot(n, n) < 1e-6) {
+        return geometric;
+    }
+    return normalize(select(n, -n, dot(n, geometric) < 0.0));
+}

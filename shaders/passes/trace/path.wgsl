@@ -1,0 +1,171 @@
+// Paths whose directions come from the BSDF alone: light is found by hitting it. One sample of one pixel an invocation.
+//
+// begin, extend and shade are functions over one path state, and the entry point composes them.
+
+import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
+import package::gen::{Hit, Ray, Triangle, NO_HIT, T_FAR};
+import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
+@if(roulette) import package::gen::{ROULETTE_BOUNCE};
+@if(normals) import package::gen::{Shading};
+import package::lib::bsdf::mixture::{mixture_sample};
+import package::lib::camera::{camera_direction};
+import package::lib::fault::{fault_of};
+import package::lib::intersect::{offset_ray_origin, surface_point, triangle_normal};
+@if(emitters) import package::lib::light::{emitted};
+import package::lib::math::{largest_of};
+import package::lib::rng::{sample_1d, sample_2d};
+@if(normals) import package::lib::normals::{interpolate_normal};
+import package::passes::trace::scene::{leaves};
+import package::passes::trace::traverse::{closest_hit};
+
+@group(0) @binding(2) var<uniform> params: TraceParams;
+@group(0) @binding(3) var<storage, read> materials: array<MaterialRecord>;
+@group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
+@if(normals) @group(0) @binding(5) var<storage, read> shading: array<Shading>;
+
+// Slots of the random dimensions: those of the camera, then those of each bounce.
+const SLOT_FILM: u32 = 0u;
+const SLOT_LOBE: u32 = 0u;
+const SLOT_DIRECTION: u32 = 1u;
+const SLOT_ROULETTE: u32 = 2u;
+
+// The normals at a hit, unit length, on the side of the viewer.
+struct Normals {
+    geometric: vec3<f32>,
+    shading: vec3<f32>,
+}
+
+fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
+    return ((*state).bounce + 1u) * DIMENSIONS_PER_BOUNCE + slot;
+}
+
+// Whether the path can go on; if it can't, the state says why.
+fn check(state: ptr<function, PathState>, value: vec3<f32>, material: u32) -> bool {
+    var kind = fault_of(value);
+    if (kind == 0u && largest_of(value) > params.largest) {
+        kind = BAD_OVERFLOW;
+    }
+    if (kind != 0u) {
+        (*state).fault = kind;
+        (*state).fault_material = material;
+    }
+    return kind == 0u;
+}
+
+// Adds radiance that arrives along the ray.
+@if(emitters || environment)
+fn gather(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> bool {
+    (*state).radiance += (*state).throughput * light;
+    return check(state, (*state).radiance, material);
+}
+
+// `raw` is the triangle's normal by its winding, of any length.
+fn normals_at(triangle: Triangle, hit: Hit, raw: vec3<f32>, wo: vec3<f32>) -> Normals {
+    let size = largest_of(abs(raw));
+    let unit = normalize(raw / size);
+    let geometric = select(unit, -unit, dot(unit, wo) < 0.0);
+    @if(normals) {
+        let smooth_normal = interpolate_normal(shading[triangle.index], hit.b1, hit.b2, geometric);
+        // A smooth normal that the viewer is behind of has no mirror direction above the surface.
+        return Normals(geometric, select(geometric, smooth_normal, dot(smooth_normal, wo) > 0.0));
+    }
+    @if(!normals) {
+        return Normals(geometric, geometric);
+    }
+}
+
+// `pixel` in the whole film, `sample` a film sample: even ones belong to half 0, odd ones to half 1.
+fn begin(pixel: vec2<u32>, sample: u32) -> PathState {
+    var state: PathState;
+    state.key = SampleKey(pixel.y * params.film_width + pixel.x, sample >> 1u, sample & 1u, params.seed);
+    state.origin = params.position;
+    state.direction = camera_direction(params, vec2<f32>(pixel) + sample_2d(state.key, SLOT_FILM));
+    state.cone_spread = params.cone_spread;
+    state.throughput = vec3<f32>(1.0);
+    return state;
+}
+
+fn extend(state: ptr<function, PathState>) -> Hit {
+    (*state).rays += 1u;
+    return closest_hit(Ray((*state).origin, 0.0, (*state).direction, T_FAR), params.root);
+}
+
+// Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel.
+@if(roulette)
+fn survive(state: ptr<function, PathState>) -> bool {
+    if ((*state).bounce < ROULETTE_BOUNCE) {
+        return true;
+    }
+    let survival = min(1.0, largest_of((*state).throughput));
+    if (sample_1d((*state).key, dimension(state, SLOT_ROULETTE)) >= survival) {
+        return false;
+    }
+    (*state).throughput /= survival;
+    return true;
+}
+
+// What happens at the end of the ray: light is gathered, a new direction drawn. Whether the path goes on.
+fn shade(state: ptr<function, PathState>, hit: Hit) -> bool {
+    if (hit.triangle == NO_HIT) {
+        @if(environment) gather(state, params.environment, NO_MATERIAL);
+        return false;
+    }
+    let wo = -(*state).direction;
+    let triangle = leaves[hit.leaf];
+    let material = materials[triangle.material];
+    let raw = triangle_normal(triangle.a, triangle.b, triangle.c);
+    @if(emitters)
+    if (!gather(state, emitted(material, dot(raw, wo) < 0.0), triangle.material)) {
+        return false;
+    }
+    if ((*state).bounce + 1u >= params.max_depth) {
+        return false;
+    }
+    let normals = normals_at(triangle, hit, raw, wo);
+    let drawn = mixture_sample(
+        material,
+        wo,
+        normals.shading,
+        normals.geometric,
+        sample_1d((*state).key, dimension(state, SLOT_LOBE)),
+        sample_2d((*state).key, dimension(state, SLOT_DIRECTION)),
+    );
+    (*state).throughput *= drawn.weight;
+    if (!check(state, (*state).throughput, triangle.material) || largest_of((*state).throughput) <= 0.0) {
+        return false;
+    }
+    @if(roulette)
+    if (!survive(state)) {
+        return false;
+    }
+    let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
+    (*state).origin = offset_ray_origin(at.position, at.error, normals.geometric, drawn.direction);
+    (*state).direction = drawn.direction;
+    (*state).cone_width += (*state).cone_spread * hit.t;
+    (*state).bounce += 1u;
+    return true;
+}
+
+// What a path that has ended leaves for the film.
+fn finish(state: ptr<function, PathState>) -> RadianceSample {
+    if ((*state).fault != 0u) {
+        let origin = vec3<u32>((*state).fault, (*state).bounce, (*state).fault_material);
+        return RadianceSample(vec3<f32>(origin), (*state).rays | SAMPLE_BAD);
+    }
+    return RadianceSample((*state).radiance, (*state).rays);
+}
+
+@compute @workgroup_size(8, 8)
+fn path(@builtin(global_invocation_id) id: vec3<u32>) {
+    if (id.x >= params.window_width || id.y >= params.window_height || id.z >= params.layers) {
+        return;
+    }
+    var state = begin(id.xy + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
+    for (var segment = 0u; segment < params.max_depth; segment++) {
+        let hit = extend(&state);
+        if (!shade(&state, hit)) {
+            break;
+        }
+    }
+    radiance[(id.z * params.window_height + id.y) * params.window_width + id.x] = finish(&state);
+}
