@@ -3,6 +3,7 @@
 //! A pass is one row: a name, a WGSL entry point, its bindings by name, and the shape of its dispatches. A stage's file
 //! holds its rows, the buffers they need, and the function that records them. [`table::TABLE`] lists every row.
 
+pub mod build;
 mod clear;
 pub mod extend;
 pub mod film;

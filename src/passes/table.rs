@@ -1,6 +1,6 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, extend, film, sort, trace};
+use super::{CLEAR, Pass, build, extend, film, sort, trace};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &[
@@ -11,6 +11,11 @@ pub static TABLE: &[&Pass] = &[
     &sort::SORT_SCAN,
     &sort::SORT_SCATTER,
     &sort::SORT_FILL,
+    &build::BOUNDS,
+    &build::MORTON,
+    &build::LEAVES,
+    &build::PYRAMID,
+    &build::NODES,
     &extend::EXTEND,
     &extend::OCCLUDED,
     &trace::PATH,

@@ -1,0 +1,139 @@
+//! From triangles in scene order to a tree: bounds, Morton codes, sort, leaves, pyramid of boxes, nodes.
+//!
+//! An LBVH by Karras 2012. Boxes do not climb the tree: each is a range query over a pyramid of the sorted leaves'
+//! boxes. So every pass reads only what earlier dispatches wrote, which is all the order that WGSL promises between
+//! workgroups.
+
+use super::{Binding, Pass, Recording, Shape, Size, clear, sort};
+use crate::layout::tree::{
+    BOUNDS_PER_THREAD, BOUNDS_WORDS, BuildParams, LeafBox, Node, PYRAMID_LEVELS, PyramidParams, Triangle, node_count,
+};
+
+/// The box of all triangles and that of their centroids, joined to what `centroid_bounds` holds: clear it to 0 before.
+pub static BOUNDS: Pass = Pass {
+    name: "bounds",
+    module: "passes/morton/bounds",
+    entry: "bounds",
+    bindings: &[
+        Binding::read("triangles", "array<Triangle>"),
+        Binding::write("centroid_bounds", "array<atomic<u32>>"),
+        Binding::params("BuildParams"),
+    ],
+    shape: Shape::Groups,
+};
+
+/// A Morton code and an index for each triangle.
+pub static MORTON: Pass = Pass {
+    name: "morton",
+    module: "passes/morton/morton",
+    entry: "morton",
+    bindings: &[
+        Binding::read("triangles", "array<Triangle>"),
+        Binding::read("centroid_bounds", "array<vec4<u32>>"),
+        Binding::write("keys", "array<vec2<u32>>"),
+        Binding::write("payload", "array<u32>"),
+        Binding::params("BuildParams"),
+    ],
+    shape: Shape::Items,
+};
+
+/// Triangles in the order of their codes, and their boxes.
+pub static LEAVES: Pass = Pass {
+    name: "leaves",
+    module: "passes/tree/leaves",
+    entry: "gather_leaves",
+    bindings: &[
+        Binding::read("triangles", "array<Triangle>"),
+        Binding::read("sort_plan", "SortPlan"),
+        Binding::read("payload", "array<u32>"),
+        Binding::read("payload_back", "array<u32>"),
+        Binding::write("leaves", "array<Triangle>"),
+        Binding::write("boxes", "array<LeafBox>"),
+        Binding::params("BuildParams"),
+    ],
+    shape: Shape::Items,
+};
+
+/// [`PYRAMID_LEVELS`] levels of the pyramid above one that is there: an item is a box of the first of them.
+pub static PYRAMID: Pass = Pass {
+    name: "pyramid",
+    module: "passes/tree/pyramid",
+    entry: "build_levels",
+    bindings: &[Binding::write("boxes", "array<LeafBox>"), Binding::params("PyramidParams")],
+    shape: Shape::Items,
+};
+
+/// The nodes of the tree.
+pub static NODES: Pass = Pass {
+    name: "nodes",
+    module: "passes/tree/nodes",
+    entry: "build_nodes",
+    bindings: &[
+        Binding::read("sort_plan", "SortPlan"),
+        Binding::read("keys", "array<vec2<u32>>"),
+        Binding::read("keys_back", "array<vec2<u32>>"),
+        Binding::read("boxes", "array<LeafBox>"),
+        Binding::write("nodes", "array<Node>"),
+        Binding::params("BuildParams"),
+    ],
+    shape: Shape::Items,
+};
+
+/// Most triangles that a tree can be built over: twice as many must still be an i32, above that LEAF_BIT is needed.
+pub const MOST_TRIANGLES: u32 = 1 << 29;
+
+/// Threads of a workgroup of the bounds pass.
+const BOUNDS_GROUP: u32 = 256;
+
+/// Boxes of the pyramid over `n` leaves, level 0 included.
+pub fn pyramid_boxes(n: u32) -> u32 {
+    levels(n).map(|(_, count)| count).sum()
+}
+
+/// First box and number of boxes of each level of the pyramid over `n` leaves, from the leaves up.
+pub fn levels(n: u32) -> impl Iterator<Item = (u32, u32)> {
+    std::iter::successors((n > 0).then_some((0, n)), |&(start, count)| {
+        (count > 1).then_some((start + count, count / 2))
+    })
+}
+
+/// The buffers that building over `n` triangles needs beside `triangles` itself, with their bytes; the sort's too.
+pub fn buffers(n: u32) -> Vec<(&'static str, u64)> {
+    let bytes = |count: u32, size: usize| u64::from(count) * size as u64;
+    let mut all = sort::buffers(n);
+    all.extend([
+        ("centroid_bounds", bytes(BOUNDS_WORDS, 4)),
+        ("leaves", bytes(n, size_of::<Triangle>())),
+        ("boxes", bytes(pyramid_boxes(n), size_of::<LeafBox>())),
+        ("nodes", bytes(node_count(n), size_of::<Node>())),
+    ]);
+    all
+}
+
+/// Records the whole way from `triangles`, of which there are `n`, to `leaves` and `nodes`.
+pub fn record(recording: &mut Recording, n: u32) {
+    assert!(n <= MOST_TRIANGLES, "{n} triangles are more than a tree can hold");
+    record_codes(recording, n);
+    record_tree(recording, n);
+}
+
+/// Records what comes before the sort: `centroid_bounds`, `keys` and `payload`.
+pub fn record_codes(recording: &mut Recording, n: u32) {
+    let params = BuildParams { count: n };
+    clear(recording, "centroid_bounds", 0, BOUNDS_WORDS);
+    let groups = n.div_ceil(BOUNDS_GROUP * BOUNDS_PER_THREAD);
+    recording.run(&BOUNDS, Size::Groups([groups, 1, 1])).params(&params);
+    recording.run(&MORTON, Size::Items(u64::from(n))).params(&params);
+}
+
+/// Records the sort of `keys` and `payload`, and what comes after it.
+pub fn record_tree(recording: &mut Recording, n: u32) {
+    let params = BuildParams { count: n };
+    sort::record(recording, n);
+    recording.run(&LEAVES, Size::Items(u64::from(n))).params(&params);
+    for (source, count) in levels(n).step_by(PYRAMID_LEVELS as usize) {
+        let params = PyramidParams { source, count };
+        recording.run(&PYRAMID, Size::Items(u64::from(count / 2))).params(&params);
+    }
+    recording.run(&NODES, Size::Items(u64::from(node_count(n)))).params(&params);
+}
