@@ -113,7 +113,7 @@ impl<'a> Scanner<'a> {
                 }
                 // An attribute's own name, and the name of a built-in value, mean no declaration.
                 "@" => {
-                    i += if self.text(i + 1) == "builtin" { 4 } else { 2 };
+                    i += if self.text(i + 1) == "builtin" { 5 } else { 2 };
                     continue;
                 }
                 _ if self.is_word(i) => self.word(i, depth),
