@@ -4,4 +4,5 @@ mod intersect;
 mod layout;
 mod path;
 mod shader;
+mod shader_errors;
 mod support;

@@ -12,7 +12,7 @@ use super::error::{ErrorKind, ShaderError};
 use super::generated::{FILE, Generated};
 use super::library::Library;
 use super::link::SourceMap;
-use super::{Features, message};
+use super::{Features, message, site};
 
 /// Makes naga's module of a joined text: valid, of the layout that Rust has, and without what no entry point uses.
 pub fn check(
@@ -47,19 +47,19 @@ fn parse_error(
     library: &Library,
     features: &Features,
 ) -> ShaderError {
-    let message = error.message().to_owned();
+    let message = error.message().replace("found \"\"", "found the end of the file");
     let range = error.labels().find_map(|(span, _)| span.to_range()).unwrap_or(text.len()..text.len());
     // naga has one type for all errors of its front end: those of the grammar say what they expected.
-    let syntax = message.starts_with("expected") || message.contains("found \"");
+    let syntax = message.starts_with("expected") || message.contains("reserved keyword");
     let kind = if syntax { ErrorKind::Syntax } else { ErrorKind::Type };
     let unknown = message.starts_with("no definition in scope").then(|| text.get(range.clone())).flatten();
     let located = map.error(kind, range, message);
-    if let Some(module) = unknown.and_then(|name| declaring_module(library, features, name)) {
-        let name = unknown.unwrap_or_default();
+    if let Some((name, module)) = unknown.and_then(|name| Some((name, declaring_module(library, features, name)?))) {
         return located.help(format!("import package::{}::{name};", module.replace('/', "::")));
     }
-    let notes: Vec<&str> = error.notes().collect();
-    if notes.is_empty() { located } else { located.help(notes.join("; ")) }
+    // One line a type that would do is more than a reader wants.
+    let notes: Vec<&str> = error.notes().map(|note| note.trim_start_matches("allowed type: ")).collect();
+    if notes.is_empty() { located } else { located.help(notes.join(", ").replacen(":, ", ": ", 1)) }
 }
 
 /// The first module of the library that declares a name.
@@ -77,7 +77,10 @@ fn declaring_module<'a>(library: &'a Library, features: &Features, name: &str) -
 fn validation_error(error: &WithSpan<ValidationError>, module: &Module, text: &str, map: &SourceMap) -> ShaderError {
     let ranges = error.spans().filter_map(|(span, _)| span.to_range());
     let narrowest = ranges.filter(|range| !range.is_empty()).min_by_key(Range::len);
-    let range = narrowest.or_else(|| span_of(error.as_inner(), module).to_range()).unwrap_or(0..0);
+    let range = match (narrowest, site::of(error.as_inner(), module).and_then(Span::to_range)) {
+        (Some(range), Some(site)) if site.start <= range.start && range.end <= site.end => range,
+        (range, site) => site.or(range).unwrap_or_else(|| site::in_text(error.as_inner(), text)),
+    };
     let kind = match error.as_inner() {
         ValidationError::GlobalVariable { source: GlobalVariableError::InvalidBinding, .. } => ErrorKind::Binding,
         ValidationError::EntryPoint { source: naga::valid::EntryPointError::BindingCollision(_), .. } => {
@@ -86,20 +89,6 @@ fn validation_error(error: &WithSpan<ValidationError>, module: &Module, text: &s
         _ => ErrorKind::Type,
     };
     map.error(kind, range, message::validation(error.as_inner(), module, text))
-}
-
-/// A place for an error that naga gives none: the start of what it is about.
-fn span_of(error: &ValidationError, module: &Module) -> Span {
-    match error {
-        ValidationError::Function { handle, .. } => module.functions.get_span(*handle),
-        ValidationError::GlobalVariable { handle, .. } => module.global_variables.get_span(*handle),
-        ValidationError::EntryPoint { name, .. } => {
-            let entry = module.entry_points.iter().find(|entry| entry.name == *name);
-            let spans = entry.into_iter().flat_map(|entry| entry.function.body.span_iter());
-            spans.map(|(_, span)| *span).find(Span::is_defined).unwrap_or_default()
-        }
-        _ => Span::default(),
-    }
 }
 
 /// Passes have storage buffers and uniforms, nothing else.

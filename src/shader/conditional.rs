@@ -22,6 +22,7 @@ pub struct Resolved {
 /// Decides the conditions of a source.
 pub fn resolve(source: &Arc<Source>, features: &Features) -> Result<Resolved, ShaderError> {
     let tokens = token::tokenize(source)?;
+    token::check_brackets(source, &tokens)?;
     let mut resolver = Resolver {
         source,
         features,

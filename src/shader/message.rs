@@ -2,8 +2,8 @@
 
 use std::error::Error;
 
-use naga::valid::{EntryPointError, ExpressionError, FunctionError, GlobalVariableError, ValidationError};
-use naga::{Arena, Expression, Function, Module, TypeInner};
+use naga::valid::{CallError, EntryPointError, ExpressionError, FunctionError, GlobalVariableError, ValidationError};
+use naga::{Arena, Expression, Function, Handle, Module, TypeInner};
 
 use super::reflect::{type_name, type_text};
 
@@ -21,6 +21,7 @@ pub fn validation(error: &ValidationError, module: &Module, text: &str) -> Strin
             format!("`{name}` wants @group and @binding, and only storage buffers and uniforms do")
         }
         ValidationError::GlobalVariable { name, source, .. } => format!("`{name}`: {}", types(&chain(source), module)),
+        ValidationError::Type { name, source, .. } if name.is_empty() => types(&chain(source), module),
         ValidationError::Type { name, source, .. } => format!("type `{name}`: {}", types(&chain(source), module)),
         ValidationError::Constant { name, source, .. } => format!("constant `{name}`: {}", chain(source)),
         ValidationError::ConstExpression { source, .. } => {
@@ -48,44 +49,90 @@ fn entry_point(error: &EntryPointError, module: &Module, entry: &Function, name:
 }
 
 fn function(error: &FunctionError, module: &Module, function: &Function, text: &str) -> String {
-    let snippet = |handle| snippet(&function.expressions, handle, text);
+    let words = Words { module, function, text };
     match error {
-        FunctionError::Expression { source, .. } => expression(source, module, function, text),
+        FunctionError::Expression { source, .. } => words.expression(source),
         FunctionError::InvalidReturnType { expression, expected_ty } => {
-            let value = expression.map_or("nothing".to_owned(), snippet);
+            let value = expression.map_or("nothing".to_owned(), |handle| words.code(handle));
             let expected = expected_ty.map_or("no value".to_owned(), |ty| format!("`{}`", type_text(module, ty)));
             format!("this returns {value}, but the function is declared to return {expected}")
         }
         FunctionError::InvalidCall { function: callee, error } => {
             let name = module.functions[*callee].name.as_deref().unwrap_or("_");
-            format!("call of `{name}`: {}", expressions(&chain(error), &function.expressions, text))
+            match error {
+                CallError::ArgumentType { index, required, seen_expression } => {
+                    let required = type_text(module, *required);
+                    let seen = words.code(*seen_expression);
+                    format!("`{name}` wants `{required}` as argument {}, which {seen} is not", index + 1)
+                }
+                other => format!("call of `{name}`: {}", words.replace(&chain(other))),
+            }
         }
         FunctionError::InvalidStoreTypes { pointer, value } => {
-            format!("{} has another type than {}, which it is stored in", snippet(*value), snippet(*pointer))
+            format!("{} has another type than {}, which it is stored in", words.code(*value), words.code(*pointer))
         }
+        FunctionError::InvalidStorePointer(pointer) => format!("{} can't be written", words.code(*pointer)),
         FunctionError::LocalVariable { name, source, .. } => format!("variable `{name}`: {}", chain(source)),
-        other => expressions(&chain(other), &function.expressions, text),
+        FunctionError::InvalidArgumentPointerSpace { name, .. } => {
+            format!("argument `{name}` points into a space whose pointers can't be passed into functions")
+        }
+        other => words.replace(&chain(other)),
     }
 }
 
-fn expression(error: &ExpressionError, module: &Module, function: &Function, text: &str) -> String {
-    let snippet = |handle| snippet(&function.expressions, handle, text);
-    let name = |inner: &TypeInner| type_name(module, inner);
-    match error {
-        ExpressionError::InvalidBinaryOperandTypes { op, lhs_expr, lhs_type, rhs_expr, rhs_type } => format!(
-            "{op:?} can't work with {} ({}) and {} ({})",
-            snippet(*lhs_expr),
-            name(lhs_type),
-            snippet(*rhs_expr),
-            name(rhs_type)
-        ),
-        ExpressionError::SelectValuesTypeMismatch { accept, reject } => {
-            format!("the values of this select are of types {} and {}", name(reject), name(accept))
+/// A function, to read handles in.
+struct Words<'a> {
+    module: &'a Module,
+    function: &'a Function,
+    text: &'a str,
+}
+
+impl Words<'_> {
+    fn expression(&self, error: &ExpressionError) -> String {
+        let name = |inner: &TypeInner| type_name(self.module, inner);
+        match error {
+            ExpressionError::InvalidBinaryOperandTypes { op, lhs_expr, lhs_type, rhs_expr, rhs_type } => format!(
+                "{op:?} can't work with {} ({}) and {} ({})",
+                self.code(*lhs_expr),
+                name(lhs_type),
+                self.code(*rhs_expr),
+                name(rhs_type)
+            ),
+            ExpressionError::SelectValuesTypeMismatch { accept, reject } => {
+                format!("the values of this select are of types {} and {}", name(reject), name(accept))
+            }
+            ExpressionError::SelectConditionNotABool { actual } => {
+                format!("the condition of this select is of type {}, not bool", name(actual))
+            }
+            ExpressionError::ShiftAmountTooLarge { lhs_type, .. } => {
+                format!("this shifts by more bits than {} has", name(lhs_type))
+            }
+            other => self.replace(&chain(other)),
         }
-        ExpressionError::SelectConditionNotABool { actual } => {
-            format!("the condition of this select is of type {}, not bool", name(actual))
+    }
+
+    /// The name of a variable, else the text of an expression, in quotes.
+    fn code(&self, handle: Handle<Expression>) -> String {
+        let function = self.function;
+        let name = match function.expressions[handle] {
+            Expression::FunctionArgument(index) => {
+                function.arguments.get(index as usize).and_then(|argument| argument.name.clone())
+            }
+            Expression::LocalVariable(variable) => function.local_variables[variable].name.clone(),
+            Expression::GlobalVariable(variable) => self.module.global_variables[variable].name.clone(),
+            _ => function.named_expressions.get(&handle).cloned(),
+        };
+        match name {
+            Some(name) => format!("`{name}`"),
+            None => snippet(&function.expressions, handle, self.text),
         }
-        other => expressions(&chain(other), &function.expressions, text),
+    }
+
+    /// A message with the handles in it, `[3]`, read as expressions of the function.
+    fn replace(&self, message: &str) -> String {
+        replace_handles(message, |index| {
+            self.function.expressions.iter().nth(index).map(|(handle, _)| self.code(handle))
+        })
     }
 }
 
@@ -106,7 +153,7 @@ fn chain(error: &dyn Error) -> String {
 }
 
 /// The text of an expression in quotes.
-fn snippet(arena: &Arena<Expression>, handle: naga::Handle<Expression>, text: &str) -> String {
+fn snippet(arena: &Arena<Expression>, handle: Handle<Expression>, text: &str) -> String {
     let range = arena.get_span(handle).to_range();
     match range.and_then(|range| text.get(range)) {
         Some(code) => {
@@ -117,7 +164,7 @@ fn snippet(arena: &Arena<Expression>, handle: naga::Handle<Expression>, text: &s
     }
 }
 
-/// A message with the handles in it, `[3]`, read as expressions.
+/// A message with the handles in it, `[3]`, read as expressions of an arena.
 fn expressions(message: &str, arena: &Arena<Expression>, text: &str) -> String {
     replace_handles(message, |index| arena.iter().nth(index).map(|(handle, _)| snippet(arena, handle, text)))
 }

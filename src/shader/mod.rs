@@ -15,6 +15,7 @@ mod link;
 mod message;
 mod module;
 mod reflect;
+mod site;
 mod token;
 
 use std::collections::BTreeSet;

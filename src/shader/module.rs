@@ -121,7 +121,13 @@ impl<'a> Scanner<'a> {
             }
             i += 1;
         }
-        Ok(())
+        match self.tokens.len().checked_sub(1) {
+            // In a joined text the error would show up in the next module.
+            Some(last) if !matches!(self.text(last), ";" | "}") => {
+                Err(self.error(ErrorKind::Syntax, last, "the module ends here, in the middle of a declaration"))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Files a word as declaration, local or use.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::error::{ErrorKind, ShaderError, Source};
+use super::error::{ErrorKind, Place, ShaderError, Source};
 
 /// A token.
 #[derive(Clone, Debug)]
@@ -50,6 +50,35 @@ pub fn tokenize(source: &Arc<Source>) -> Result<Vec<Token>, ShaderError> {
         }
     }
     Ok(tokens)
+}
+
+/// Refuses brackets that do not match: in a joined text the error would show up in another module.
+pub fn check_brackets(source: &Arc<Source>, tokens: &[Token]) -> Result<(), ShaderError> {
+    let error =
+        |range: &Range<usize>, message: String| ShaderError::at(ErrorKind::Syntax, source, range.clone(), message);
+    let mut open: Vec<(&str, &Range<usize>)> = Vec::new();
+    for Token { range, .. } in tokens {
+        let closing = &source.text[range.clone()];
+        let opening = match closing {
+            "(" | "[" | "{" => {
+                open.push((closing, range));
+                continue;
+            }
+            ")" => "(",
+            "]" => "[",
+            "}" => "{",
+            _ => continue,
+        };
+        match open.pop() {
+            Some((found, _)) if found == opening => {}
+            Some((found, start)) => {
+                let line = Place::new(source.clone(), start.clone()).line;
+                return Err(error(range, format!("this `{closing}` does not close the `{found}` of line {line}")));
+            }
+            None => return Err(error(range, format!("this `{closing}` closes nothing"))),
+        }
+    }
+    open.pop().map_or(Ok(()), |(sign, range)| Err(error(range, format!("this `{sign}` is never closed"))))
 }
 
 /// The bytes at the start of a text whose characters pass the test.
