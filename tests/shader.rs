@@ -127,6 +127,17 @@ fn comments_hold_no_code() {
     assert_eq!(declared(&link(&[("t/p", text)], &[])), names(&["f"]));
 }
 
+#[test]
+fn names_inside_functions_are_their_own() {
+    let text = "@compute @workgroup_size(1)\nfn main(@builtin(workgroup_id) id: vec3<u32>, @builtin(num_workgroups) n: vec3<u32>) {\n\
+                for (var i = 0u; i < 2u; i++) { let one = i; }\nfor (var i = 0u; i < n.x; i++) { let one = id.x; }\n}\n\
+                fn g(one: u32) -> u32 { return one; }\n";
+    let modules = [("t/p", text), ("t/a", "fn one() {}\nfn i() {}\n")];
+    link(&modules, &[]);
+    let importing = format!("import package::t::a::i;\n{text}");
+    link(&[("t/p", &importing), modules[1]], &[]);
+}
+
 /// Declarations that only some features have.
 const DECLARATIONS: &str = "@if(a) fn only_a() {}
 @if(!a) fn not_a() {}

@@ -72,6 +72,11 @@ impl Library {
         self.modules.keys().map(String::as_str)
     }
 
+    /// The text of a module as it was read; None for one that is unknown or can't be read.
+    pub fn text(&self, module: &str) -> Option<&str> {
+        self.modules.get(module)?.as_ref().ok().map(|source| source.text.as_str())
+    }
+
     /// A number that changes with the module's text, the same in every process; None for an unknown module.
     pub fn hash(&self, module: &str) -> Option<u64> {
         let mut hasher = DefaultHasher::new();
