@@ -1,7 +1,9 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
 mod intersect;
+mod law;
 mod layout;
+mod passes;
 mod path;
 mod shader;
 mod shader_errors;
