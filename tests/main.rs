@@ -5,6 +5,7 @@ mod law;
 mod layout;
 mod passes;
 mod path;
+mod player;
 mod shader;
 mod shader_errors;
 mod support;

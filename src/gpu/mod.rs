@@ -1,1 +1,15 @@
-//! Device, buffers, pipelines and the player of recordings.
+//! Device, buffers, pipelines and the player of recordings: the only engine code that talks to wgpu.
+
+mod buffers;
+mod device;
+mod error;
+mod pipelines;
+mod player;
+mod runtime;
+mod timing;
+
+pub use buffers::Buffers;
+pub use device::{AdapterSummary, Gpu, adapters};
+pub use error::GpuError;
+pub use runtime::Runtime;
+pub use timing::PassTiming;

@@ -1,0 +1,122 @@
+//! Buffers by name.
+
+use std::collections::HashMap;
+
+use super::{Gpu, GpuError};
+
+/// The storage buffers that passes name. A buffer grows when more is asked of it, and then loses what it held.
+#[derive(Default)]
+pub struct Buffers {
+    named: HashMap<&'static str, Slot>,
+}
+
+struct Slot {
+    buffer: wgpu::Buffer,
+    /// Bytes that were asked for.
+    bytes: u64,
+    /// Bytes that are bound: what was asked for, rounded up.
+    size: u64,
+    /// Unlike for every buffer ever made under this name: what bind groups are cached by.
+    generation: u64,
+}
+
+/// WGSL's runtime-sized arrays need room for at least one element; 64 bytes hold one of any of ours but `Node`s, which fit exactly.
+const SMALLEST: u64 = 64;
+
+impl Buffers {
+    /// Makes sure that `name` holds at least `bytes`. Returns true if the buffer is a new one, filled with zeros.
+    pub fn reserve(&mut self, gpu: &Gpu, name: &'static str, bytes: u64) -> Result<bool, GpuError> {
+        let size = bytes.next_multiple_of(16).max(SMALLEST);
+        let limits = &gpu.limits;
+        let caps = [(limits.max_storage_buffer_binding_size, "one binding"), (limits.max_buffer_size, "one buffer")];
+        for (limit, what) in caps {
+            if size > limit {
+                return Err(GpuError::TooLarge { name, need: size, limit, adapter: gpu.info.name.clone(), what });
+            }
+        }
+        let old = self.named.get_mut(name);
+        let generation = old.as_ref().map_or(0, |slot| slot.generation + 1);
+        if let Some(slot) = old
+            && slot.buffer.size() >= size
+        {
+            (slot.bytes, slot.size) = (bytes, size);
+            return Ok(false);
+        }
+        self.named.remove(name);
+        let buffer = gpu.guarded(&format!("buffer `{name}` of {size} bytes"), || {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(name),
+                size,
+                usage: wgpu::BufferUsages::STORAGE
+                    | wgpu::BufferUsages::INDIRECT
+                    | wgpu::BufferUsages::COPY_SRC
+                    | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        })?;
+        self.named.insert(name, Slot { buffer, bytes, size, generation });
+        Ok(true)
+    }
+
+    /// Fills `name` from the start, making room first.
+    pub fn upload(&mut self, gpu: &Gpu, name: &'static str, bytes: &[u8]) -> Result<(), GpuError> {
+        self.reserve(gpu, name, bytes.len() as u64)?;
+        self.write(gpu, name, 0, bytes)
+    }
+
+    /// Overwrites a part of `name`. `offset` and length are multiples of 4.
+    pub fn write(&self, gpu: &Gpu, name: &'static str, offset: u64, bytes: &[u8]) -> Result<(), GpuError> {
+        let Some(slot) = self.named.get(name) else {
+            return Err(GpuError::NoBuffer { pass: "upload", buffer: name });
+        };
+        // In pieces, since wgpu stages each write in a buffer of its size, which has a limit of its own.
+        const PIECE: usize = 64 << 20;
+        for (i, piece) in bytes.chunks(PIECE).enumerate() {
+            gpu.queue.write_buffer(&slot.buffer, offset + (i * PIECE) as u64, piece);
+            if bytes.len() > PIECE {
+                gpu.queue.submit([]);
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn get(&self, name: &str) -> Option<(&wgpu::Buffer, u64, u64)> {
+        self.named.get(name).map(|slot| (&slot.buffer, slot.size, slot.generation))
+    }
+
+    /// Copies the first `bytes` of `name` back, waiting for all that was submitted before.
+    pub fn read(&self, gpu: &Gpu, name: &'static str, bytes: u64) -> Result<Vec<u8>, GpuError> {
+        let Some(slot) = self.named.get(name).filter(|slot| slot.size >= bytes) else {
+            return Err(GpuError::NoBuffer { pass: "readback", buffer: name });
+        };
+        if bytes == 0 {
+            return Ok(Vec::new());
+        }
+        let size = bytes.next_multiple_of(4);
+        let staging = gpu.guarded("a readback buffer", || {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("readback"),
+                size,
+                usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        })?;
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        encoder.copy_buffer_to_buffer(&slot.buffer, 0, &staging, 0, size);
+        gpu.queue.submit([encoder.finish()]);
+        let (sender, receiver) = std::sync::mpsc::channel();
+        staging.map_async(wgpu::MapMode::Read, .., move |result| {
+            let _ = sender.send(result);
+        });
+        gpu.wait()?;
+        let failed = |reason: String| GpuError::Validation { what: format!("reading `{name}` back"), reason };
+        receiver.recv().map_err(|e| failed(e.to_string()))?.map_err(|e| failed(e.to_string()))?;
+        let view = staging.get_mapped_range(..).map_err(|e| failed(e.to_string()))?;
+        Ok(view[..bytes as usize].to_vec())
+    }
+
+    /// Bytes that were asked for under `name`; 0 if there is none.
+    pub fn size(&self, name: &str) -> u64 {
+        self.named.get(name).map_or(0, |slot| slot.bytes)
+    }
+}

@@ -1,0 +1,188 @@
+//! Finding an adapter and opening it with all that it offers.
+
+use std::sync::{Arc, Mutex};
+
+use super::GpuError;
+
+/// The environment variable that picks an adapter by its number in `lucerna doctor`.
+const ADAPTER_VARIABLE: &str = "LUCERNA_ADAPTER";
+
+/// Features that are used where they are there; each has a fallback.
+fn wanted_features() -> wgpu::Features {
+    wgpu::Features::TIMESTAMP_QUERY
+        | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS
+        | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES
+}
+
+/// An open device and its queue.
+pub struct Gpu {
+    pub device: wgpu::Device,
+    pub queue: wgpu::Queue,
+    pub info: wgpu::AdapterInfo,
+    pub limits: wgpu::Limits,
+    pub features: wgpu::Features,
+    lost: Arc<Mutex<Option<String>>>,
+}
+
+/// What `lucerna doctor` says of an adapter.
+#[derive(Clone, Debug)]
+pub struct AdapterSummary {
+    pub name: String,
+    pub backend: String,
+    pub kind: String,
+    pub driver: String,
+    /// Largest buffer in bytes.
+    pub max_buffer: u64,
+    /// Largest part of a buffer one binding sees, in bytes.
+    pub max_binding: u64,
+    pub max_workgroup_memory: u32,
+    pub max_workgroup_size: u32,
+    /// Each pass can be timed by itself.
+    pub timestamps: bool,
+    /// What would be opened by default.
+    pub chosen: bool,
+}
+
+fn instance() -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    descriptor.backends &= wgpu::Backends::PRIMARY;
+    // Indirect counts come from our own passes, and are small by construction: wgpu's check would cost a dispatch each.
+    descriptor.flags.remove(wgpu::InstanceFlags::VALIDATION_INDIRECT_CALL);
+    wgpu::Instance::new(descriptor)
+}
+
+/// All adapters, discrete GPUs first, in a stable order.
+fn ordered_adapters() -> Vec<wgpu::Adapter> {
+    let mut adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::PRIMARY));
+    adapters.retain(|a| a.get_downlevel_capabilities().flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS));
+    adapters.sort_by_key(|adapter| {
+        let info = adapter.get_info();
+        let rank = match info.device_type {
+            wgpu::DeviceType::DiscreteGpu => 0,
+            wgpu::DeviceType::IntegratedGpu => 1,
+            wgpu::DeviceType::VirtualGpu => 2,
+            wgpu::DeviceType::Other => 3,
+            wgpu::DeviceType::Cpu => 4,
+        };
+        (rank, info.device_pci_bus_id, info.name)
+    });
+    adapters
+}
+
+/// The number of the adapter to open: the first, or the one the environment names.
+fn chosen_index(count: usize) -> Result<usize, GpuError> {
+    if count == 0 {
+        return Err(GpuError::NoAdapter);
+    }
+    match std::env::var(ADAPTER_VARIABLE) {
+        Err(_) => Ok(0),
+        Ok(text) => text.trim().parse().ok().filter(|i| *i < count).ok_or(GpuError::NoSuchAdapter {
+            variable: ADAPTER_VARIABLE,
+            index: text,
+            count,
+        }),
+    }
+}
+
+/// Lists the adapters, in the order of their numbers.
+pub fn adapters() -> Vec<AdapterSummary> {
+    let adapters = ordered_adapters();
+    let chosen = chosen_index(adapters.len()).ok();
+    let summary = |(i, adapter): (usize, &wgpu::Adapter)| {
+        let (info, limits) = (adapter.get_info(), adapter.limits());
+        AdapterSummary {
+            name: info.name,
+            backend: info.backend.to_string(),
+            kind: format!("{:?}", info.device_type),
+            driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+            max_buffer: limits.max_buffer_size,
+            max_binding: limits.max_storage_buffer_binding_size,
+            max_workgroup_memory: limits.max_compute_workgroup_storage_size,
+            max_workgroup_size: limits.max_compute_invocations_per_workgroup,
+            timestamps: adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES),
+            chosen: chosen == Some(i),
+        }
+    };
+    adapters.iter().enumerate().map(summary).collect()
+}
+
+impl Gpu {
+    /// Opens the best adapter, or the one `LUCERNA_ADAPTER` names, with its own limits.
+    pub fn open() -> Result<Arc<Gpu>, GpuError> {
+        let mut adapters = ordered_adapters();
+        let adapter = adapters.swap_remove(chosen_index(adapters.len())?);
+        Self::open_adapter(&adapter, wanted_features())
+    }
+
+    /// Opens the same adapter without any optional feature: what the fallbacks are tested on.
+    pub fn open_plain() -> Result<Arc<Gpu>, GpuError> {
+        let mut adapters = ordered_adapters();
+        let adapter = adapters.swap_remove(chosen_index(adapters.len())?);
+        Self::open_adapter(&adapter, wgpu::Features::empty())
+    }
+
+    fn open_adapter(adapter: &wgpu::Adapter, wanted: wgpu::Features) -> Result<Arc<Gpu>, GpuError> {
+        let info = adapter.get_info();
+        let features = adapter.features() & wanted;
+        let limits = adapter.limits();
+        let request = adapter.request_device(&wgpu::DeviceDescriptor {
+            label: Some("lucerna"),
+            required_features: features,
+            required_limits: limits.clone(),
+            memory_hints: wgpu::MemoryHints::Performance,
+            ..Default::default()
+        });
+        let (device, queue) = pollster::block_on(request)
+            .map_err(|e| GpuError::Device { adapter: info.name.clone(), reason: e.to_string() })?;
+        let lost = Arc::new(Mutex::new(None));
+        let reason = lost.clone();
+        device.set_device_lost_callback(move |kind, message| {
+            if kind != wgpu::DeviceLostReason::Destroyed {
+                *reason.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(message);
+            }
+        });
+        Ok(Arc::new(Gpu { device, queue, info, limits, features, lost }))
+    }
+
+    /// Adapter and driver in one line.
+    pub fn name(&self) -> String {
+        format!("{} ({}, {})", self.info.name, self.info.backend, self.info.driver_info)
+    }
+
+    /// True for adapters that are the processor in disguise.
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
+    /// Waits until all that was submitted is done.
+    pub fn wait(&self) -> Result<(), GpuError> {
+        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.check_lost()?;
+        polled.map(|_| ()).map_err(|e| GpuError::Lost { reason: e.to_string() })
+    }
+
+    /// Says whether the device was lost since it was opened.
+    pub fn check_lost(&self) -> Result<(), GpuError> {
+        match &*self.lost.lock().unwrap_or_else(std::sync::PoisonError::into_inner) {
+            Some(reason) => Err(GpuError::Lost { reason: reason.clone() }),
+            None => Ok(()),
+        }
+    }
+
+    /// Runs `work` so that any error wgpu raises in it comes back as a value.
+    pub fn guarded<T>(&self, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
+        let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let internal = self.device.push_error_scope(wgpu::ErrorFilter::Internal);
+        let value = work();
+        for scope in [internal, validation] {
+            if let Some(error) = pollster::block_on(scope.pop()) {
+                return Err(GpuError::Validation { what: what.to_owned(), reason: error.to_string() });
+            }
+        }
+        match pollster::block_on(memory.pop()) {
+            Some(_) => Err(GpuError::OutOfMemory { what: what.to_owned() }),
+            None => Ok(value),
+        }
+    }
+}

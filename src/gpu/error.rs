@@ -1,0 +1,55 @@
+//! What can go wrong on a device, and what to do about it.
+
+use crate::shader::ShaderError;
+
+/// A failure of the device or of what was asked of it.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum GpuError {
+    #[error("no graphics adapter was found")]
+    #[diagnostic(help(
+        "install a Vulkan driver: `sh setup.sh` does so on Debian and Ubuntu; elsewhere install your GPU vendor's \
+         driver, or Mesa's software driver (lavapipe). Windows needs DirectX 12, macOS needs nothing. \
+         `lucerna doctor` lists what is found"
+    ))]
+    NoAdapter,
+
+    #[error("adapter number {index} was asked for by {variable}, and there are {count}")]
+    #[diagnostic(help("`lucerna doctor` lists the adapters by number"))]
+    NoSuchAdapter { variable: &'static str, index: String, count: usize },
+
+    #[error("{adapter} refused a device: {reason}")]
+    Device { adapter: String, reason: String },
+
+    #[error("the buffer `{name}` needs {need} bytes, more than {limit} bytes, the limit of {adapter} for {what}")]
+    #[diagnostic(help("use fewer triangles or a smaller film, or an adapter with larger buffers (`lucerna doctor`)"))]
+    TooLarge { name: &'static str, need: u64, limit: u64, adapter: String, what: &'static str },
+
+    #[error("the device ran out of memory on {what}")]
+    #[diagnostic(help("use fewer triangles or a smaller film, or close what else uses the GPU"))]
+    OutOfMemory { what: String },
+
+    #[error("the device was lost: {reason}")]
+    #[diagnostic(help(
+        "the driver stopped, often because one dispatch took too long; run again, and see the system's log"
+    ))]
+    Lost { reason: String },
+
+    #[error("{what}: {reason}")]
+    Validation { what: String, reason: String },
+
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Shader(#[from] Box<ShaderError>),
+
+    #[error("pass `{pass}` has no buffer named `{buffer}`")]
+    NoBuffer { pass: &'static str, buffer: &'static str },
+
+    #[error("pass `{pass}` and its shader disagree: {reason}")]
+    Mismatch { pass: &'static str, reason: String },
+}
+
+impl From<ShaderError> for GpuError {
+    fn from(error: ShaderError) -> Self {
+        GpuError::Shader(Box::new(error))
+    }
+}

@@ -1,0 +1,143 @@
+//! From a row of the pass table to a compute pipeline: linked, checked against its row, compiled, kept.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use super::{Gpu, GpuError};
+use crate::passes::{Access, Pass};
+use crate::shader::{EntryPoint, Features, Library, Linked, ResourceKind};
+
+/// A compiled pass.
+pub struct Pipeline {
+    pub(super) compute: wgpu::ComputePipeline,
+    pub(super) layout: wgpu::BindGroupLayout,
+    pub(super) entry: EntryPoint,
+    /// Unlike for every pipeline ever made: what bind groups are cached by.
+    pub(super) serial: u64,
+}
+
+/// Pipelines by pass and by those features that its import closure names.
+pub struct Pipelines {
+    library: Library,
+    kept: HashMap<(&'static str, Features), Arc<Pipeline>>,
+    /// What a scene's features come down to for a pass, so that a known pass is not linked again.
+    keys: HashMap<&'static str, (Features, Arc<Pipeline>)>,
+    serial: u64,
+}
+
+impl Pipelines {
+    pub fn new(library: Library) -> Self {
+        Self { library, kept: HashMap::new(), keys: HashMap::new(), serial: 0 }
+    }
+
+    /// The pipeline of `pass` under `features`, compiled if need be.
+    pub fn get(&mut self, gpu: &Gpu, pass: &'static Pass, features: &Features) -> Result<Arc<Pipeline>, GpuError> {
+        if let Some((key, pipeline)) = self.keys.get(pass.name)
+            && key == features
+        {
+            return Ok(pipeline.clone());
+        }
+        let linked = self.library.link(pass.module, features)?;
+        let kept = (pass.name, linked.features.clone());
+        let pipeline = match self.kept.get(&kept) {
+            Some(pipeline) => pipeline.clone(),
+            None => {
+                self.serial += 1;
+                let pipeline = Arc::new(compile(gpu, pass, linked, features, self.serial)?);
+                self.kept.insert(kept, pipeline.clone());
+                pipeline
+            }
+        };
+        self.keys.insert(pass.name, (features.clone(), pipeline.clone()));
+        Ok(pipeline)
+    }
+}
+
+/// Checks that a row names just what the shader uses. Everything is found by name, so only the sets must agree.
+pub fn check_row(pass: &Pass, entry: &EntryPoint, features: &Features) -> Result<(), GpuError> {
+    let fail = |reason: String| Err(GpuError::Mismatch { pass: pass.name, reason });
+    let expected = || pass.bindings.iter().filter(|b| b.feature.is_empty() || features.contains(b.feature));
+    for row in expected() {
+        let Some(found) = entry.bindings.iter().find(|b| b.name == row.name) else {
+            return fail(format!("the row names `{}`, and `{}` does not use it", row.name, entry.name));
+        };
+        let kind = match row.access {
+            Access::Read => ResourceKind::StorageRead,
+            Access::Write => ResourceKind::StorageReadWrite,
+            Access::Params => ResourceKind::Uniform,
+        };
+        if found.kind != kind || found.ty != row.ty {
+            return fail(format!(
+                "`{}` is {kind:?} of {} in the row, and {:?} of {} in the shader",
+                row.name, row.ty, found.kind, found.ty
+            ));
+        }
+        if found.group != 0 {
+            return fail(format!("`{}` is in group {}; passes use group 0", row.name, found.group));
+        }
+    }
+    match entry.bindings.iter().find(|b| expected().all(|row| row.name != b.name)) {
+        Some(extra) => fail(format!("`{}` uses `{}`, and the row does not name it", entry.name, extra.name)),
+        None => Ok(()),
+    }
+}
+
+fn compile(
+    gpu: &Gpu,
+    pass: &'static Pass,
+    linked: Linked,
+    features: &Features,
+    serial: u64,
+) -> Result<Pipeline, GpuError> {
+    let entry = linked.entry(pass.entry).ok_or_else(|| GpuError::Mismatch {
+        pass: pass.name,
+        reason: format!("`{}` has no entry point `{}`", pass.module, pass.entry),
+    })?;
+    check_row(pass, &entry, features)?;
+    let entries: Vec<_> = entry
+        .bindings
+        .iter()
+        .map(|b| wgpu::BindGroupLayoutEntry {
+            binding: b.binding,
+            visibility: wgpu::ShaderStages::COMPUTE,
+            ty: wgpu::BindingType::Buffer {
+                ty: match b.kind {
+                    ResourceKind::Uniform => wgpu::BufferBindingType::Uniform,
+                    ResourceKind::StorageRead => wgpu::BufferBindingType::Storage { read_only: true },
+                    ResourceKind::StorageReadWrite => wgpu::BufferBindingType::Storage { read_only: false },
+                },
+                has_dynamic_offset: b.kind == ResourceKind::Uniform,
+                min_binding_size: None,
+            },
+            count: None,
+        })
+        .collect();
+    let Linked { module, .. } = linked;
+    gpu.guarded(&format!("pipeline `{}`", pass.name), || {
+        let descriptor = wgpu::ShaderModuleDescriptor {
+            label: Some(pass.module),
+            source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(module)),
+        };
+        let mut checks = wgpu::ShaderRuntimeChecks::checked();
+        checks.force_loop_bounding = false;
+        // SAFETY: every loop of the shipped shaders has a bound of its own (naga's would cost 11 % and counts to 2^64).
+        let module = unsafe { gpu.device.create_shader_module_trusted(descriptor, checks) };
+        let layout = gpu
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(pass.name), entries: &entries });
+        let pipeline_layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(pass.name),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let compute = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(pass.name),
+            layout: Some(&pipeline_layout),
+            module: &module,
+            entry_point: Some(pass.entry),
+            compilation_options: Default::default(),
+            cache: None,
+        });
+        Pipeline { compute, layout, entry, serial }
+    })
+}

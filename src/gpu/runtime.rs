@@ -1,0 +1,123 @@
+//! All that it takes to run recordings: one device, buffers by name, pipelines, the player and its clock.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::pipelines::Pipelines;
+use super::player::{Player, Stage};
+use super::timing::Timer;
+use super::{Buffers, Gpu, GpuError, PassTiming};
+use crate::passes::Recording;
+use crate::shader::{Features, Library};
+
+/// Runs recordings on one device.
+pub struct Runtime {
+    gpu: Arc<Gpu>,
+    buffers: Buffers,
+    pipelines: Pipelines,
+    player: Player,
+    features: Features,
+    timer: Option<Timer>,
+}
+
+impl Runtime {
+    /// No buffers yet, no features, no timing.
+    pub fn new(gpu: Arc<Gpu>, library: Library) -> Self {
+        Self {
+            gpu,
+            buffers: Buffers::default(),
+            pipelines: Pipelines::new(library),
+            player: Player::default(),
+            features: Features::new(),
+            timer: None,
+        }
+    }
+
+    pub fn gpu(&self) -> &Arc<Gpu> {
+        &self.gpu
+    }
+
+    /// The features that modules are linked with from now on.
+    pub fn set_features<S: AsRef<str>>(&mut self, features: &[S]) {
+        self.features = features.iter().map(|f| f.as_ref().to_owned()).collect();
+    }
+
+    /// Times every dispatch from now on, where the device can.
+    pub fn set_timing(&mut self, on: bool) {
+        self.timer = if on { Timer::new(&self.gpu) } else { None };
+    }
+
+    /// Makes sure that a buffer holds at least `bytes`; true if it is new and so all zeros.
+    pub fn reserve(&mut self, name: &'static str, bytes: u64) -> Result<bool, GpuError> {
+        self.buffers.reserve(&self.gpu, name, bytes)
+    }
+
+    /// Fills a buffer from the start, making room first.
+    pub fn upload<T: bytemuck::NoUninit>(&mut self, name: &'static str, items: &[T]) -> Result<(), GpuError> {
+        self.buffers.upload(&self.gpu, name, bytemuck::cast_slice(items))
+    }
+
+    /// Overwrites items of a buffer, the first of them at `index`.
+    pub fn write<T: bytemuck::NoUninit>(
+        &mut self,
+        name: &'static str,
+        index: u64,
+        items: &[T],
+    ) -> Result<(), GpuError> {
+        let offset = index * size_of::<T>() as u64;
+        self.buffers.write(&self.gpu, name, offset, bytemuck::cast_slice(items))
+    }
+
+    /// Submits a recording.
+    pub fn play(&mut self, recording: &Recording) -> Result<(), GpuError> {
+        if let Some(timer) = self.timer.as_mut().filter(|t| t.is_full()) {
+            timer.collect(&self.gpu)?;
+        }
+        let stage =
+            Stage { gpu: &self.gpu, buffers: &self.buffers, pipelines: &mut self.pipelines, features: &self.features };
+        self.player.play(stage, recording, self.timer.as_mut())
+    }
+
+    /// Compiles what a recording needs, without running it.
+    pub fn prepare(&mut self, recording: &Recording) -> Result<(), GpuError> {
+        for call in recording.calls() {
+            self.pipelines.get(&self.gpu, call.pass, &self.features)?;
+        }
+        Ok(())
+    }
+
+    /// Waits until all that was submitted is done.
+    pub fn wait(&self) -> Result<(), GpuError> {
+        self.gpu.wait()
+    }
+
+    /// The first `count` items of a buffer, after all that was submitted.
+    pub fn read_some<T: bytemuck::AnyBitPattern>(&self, name: &'static str, count: usize) -> Result<Vec<T>, GpuError> {
+        let bytes = self.buffers.read(&self.gpu, name, (count * size_of::<T>()) as u64)?;
+        Ok(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned).collect())
+    }
+
+    /// As many whole items as a buffer holds, after all that was submitted.
+    pub fn read<T: bytemuck::AnyBitPattern>(&self, name: &'static str) -> Result<Vec<T>, GpuError> {
+        self.read_some(name, self.buffers.size(name) as usize / size_of::<T>())
+    }
+
+    /// How often each pass was dispatched so far.
+    pub fn dispatches(&self) -> &BTreeMap<&'static str, u64> {
+        self.player.counts()
+    }
+
+    /// GPU time by pass since the last call; empty without timing.
+    pub fn timings(&mut self) -> Result<Vec<PassTiming>, GpuError> {
+        let Some(timer) = &mut self.timer else { return Ok(Vec::new()) };
+        timer.collect(&self.gpu)?;
+        Ok(timer.take())
+    }
+
+    /// First to last timestamp of each submission since the last call, milliseconds; empty without timing.
+    pub fn spans(&mut self) -> Result<Vec<f64>, GpuError> {
+        let Some(timer) = &mut self.timer else { return Ok(Vec::new()) };
+        timer.collect(&self.gpu)?;
+        Ok(timer.take_spans())
+    }
+}

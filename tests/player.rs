@@ -1,0 +1,94 @@
+//! The player: order, parameters, folding of workgroups, counts, and the devices without optional features.
+
+use lucerna::gpu::{Gpu, GpuError, Runtime};
+use lucerna::passes::{Recording, clear};
+use lucerna::shader::Library;
+
+use crate::support;
+
+#[test]
+fn dispatches_see_what_the_ones_before_wrote() {
+    let mut rig = support::rig();
+    rig.upload("words", &[7u32; 1000]).unwrap();
+    let mut recording = Recording::default();
+    clear(&mut recording, "words", 3, 900);
+    clear(&mut recording, "words", 4, 257);
+    clear(&mut recording, "words", 5, 0);
+    rig.play(&recording).unwrap();
+    let words: Vec<u32> = rig.read("words").unwrap();
+    assert_eq!(words.len(), 1000);
+    assert!(words[..257].iter().all(|w| *w == 4));
+    assert!(words[257..900].iter().all(|w| *w == 3));
+    assert!(words[900..].iter().all(|w| *w == 7));
+    assert_eq!(rig.dispatches()["clear"], 2, "a dispatch of nothing is not issued");
+}
+
+#[test]
+fn long_recordings_keep_their_order() {
+    let mut rig = support::rig();
+    rig.upload("words", &[u32::MAX; 4096]).unwrap();
+    // A real GPU would show a missing barrier only now and then, so it gets more of them.
+    let dispatches = if support::stress() { 20_000 } else { 500 };
+    let mut recording = Recording::default();
+    for i in 0..dispatches {
+        clear(&mut recording, "words", i, 4096 - i % 4096);
+    }
+    rig.play(&recording).unwrap();
+    let words: Vec<u32> = rig.read("words").unwrap();
+    let last = |word: u32| (0..dispatches).rev().find(|i| word < 4096 - i % 4096).unwrap();
+    assert!((0..4096).zip(&words).all(|(word, value)| *value == last(word)));
+}
+
+#[test]
+fn more_workgroups_than_a_dimension_takes_are_folded() {
+    let mut rig = support::rig();
+    // One more group of 256 than the 65,535 that WebGPU guarantees along x.
+    let count = 65_536 * 256 - 3;
+    rig.reserve("words", u64::from(count) * 4 + 12).unwrap();
+    let mut recording = Recording::default();
+    clear(&mut recording, "words", 9, count);
+    rig.play(&recording).unwrap();
+    let words: Vec<u32> = rig.read("words").unwrap();
+    assert_eq!(words.iter().position(|w| *w != 9), Some(count as usize));
+}
+
+#[test]
+fn a_device_without_optional_features_plays_the_same() {
+    let mut rig = Runtime::new(Gpu::open_plain().unwrap(), Library::embedded());
+    rig.set_timing(true);
+    rig.upload("words", &[1u32; 64]).unwrap();
+    let mut recording = Recording::default();
+    clear(&mut recording, "words", 2, 64);
+    rig.play(&recording).unwrap();
+    assert_eq!(rig.read::<u32>("words").unwrap(), [2; 64]);
+    assert!(rig.timings().unwrap().is_empty(), "no timestamps, no timings");
+}
+
+#[test]
+fn timings_count_every_dispatch() {
+    let mut rig = support::rig();
+    rig.set_timing(true);
+    rig.upload("words", &[1u32; 64]).unwrap();
+    let mut recording = Recording::default();
+    for value in 0..5 {
+        clear(&mut recording, "words", value, 64);
+    }
+    rig.play(&recording).unwrap();
+    rig.play(&recording).unwrap();
+    let timings = rig.timings().unwrap();
+    assert_eq!((timings[0].name, timings[0].count), ("clear", 10));
+    assert!(timings[0].milliseconds > 0.0);
+    assert_eq!(rig.spans().unwrap().len(), 2);
+}
+
+#[test]
+fn what_does_not_fit_or_is_not_there_is_named() {
+    let mut rig = support::rig();
+    let limit = rig.gpu().limits.max_storage_buffer_binding_size;
+    let error = rig.reserve("nodes", limit + 1).unwrap_err();
+    assert!(matches!(error, GpuError::TooLarge { name: "nodes", .. }), "{error}");
+    let mut recording = Recording::default();
+    clear(&mut recording, "nowhere", 1, 1);
+    let error = rig.play(&recording).unwrap_err();
+    assert!(matches!(error, GpuError::NoBuffer { pass: "clear", buffer: "nowhere" }), "{error}");
+}
