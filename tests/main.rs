@@ -8,4 +8,5 @@ mod path;
 mod player;
 mod shader;
 mod shader_errors;
+mod shader_fuzz;
 mod support;

@@ -9,24 +9,9 @@ use lucerna::shader::{BoundResource, Features, Library, Linked, ResourceKind};
 /// More conditions than this in one closure would want a list of the sets in use instead of all sets.
 const MOST_FEATURES: usize = 6;
 
-/// The features that any module of the library names in a condition.
-fn known_features() -> Vec<String> {
-    let library = Library::shipped();
-    let texts: Vec<String> = library.modules().map(|module| library.text(module).unwrap().to_owned()).collect();
-    let mut found = BTreeSet::new();
-    for text in &texts {
-        for condition in text.split("@if(").skip(1).chain(text.split("@elif(").skip(1)) {
-            let words = condition.split(')').next().unwrap_or("").split(|c: char| !(c.is_alphanumeric() || c == '_'));
-            found.extend(words.filter(|word| !word.is_empty()).map(str::to_owned));
-        }
-    }
-    found.into_iter().collect()
-}
-
 /// Every feature set that makes a difference to a pass.
 fn feature_sets(library: &Library, pass: &Pass) -> Vec<Features> {
-    let all: Features = known_features().into_iter().collect();
-    let named: Vec<String> = match library.link(pass.module, &all) {
+    let named: Vec<String> = match library.link(pass.module, &library.features().unwrap()) {
         Ok(linked) => linked.features.into_iter().collect(),
         Err(error) => panic!("{}: {}", pass.name, error.report()),
     };

@@ -72,6 +72,15 @@ impl Library {
         self.modules.keys().map(String::as_str)
     }
 
+    /// Every feature that a condition of any module names.
+    pub fn features(&self) -> Result<Features, ShaderError> {
+        let mut named = Features::new();
+        for module in self.modules() {
+            named.extend(self.scan(module, &Features::new())?.features);
+        }
+        Ok(named)
+    }
+
     /// The text of a module as it was read; None for one that is unknown or can't be read.
     pub fn text(&self, module: &str) -> Option<&str> {
         self.modules.get(module)?.as_ref().ok().map(|source| source.text.as_str())
