@@ -6,6 +6,7 @@ mod layout;
 mod passes;
 mod path;
 mod player;
+mod scene;
 mod shader;
 mod shader_errors;
 mod shader_fuzz;

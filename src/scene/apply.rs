@@ -1,0 +1,107 @@
+//! A description to entities: only what differs is written, so that change detection sees what changed and no more.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use bevy_ecs::component::Mutable;
+use bevy_ecs::prelude::*;
+
+use super::load::{MeshEntry, SceneDescription};
+use crate::components::{Active, Camera, Environment, Film, Geometry, Material, Name, UsesMaterial};
+
+/// Makes the world hold exactly the scene that `description` describes, entity by entity, matched by `Name`.
+///
+/// What is equal stays untouched: applying the same description again changes nothing. Entities of these kinds whose
+/// names are not in the description, or that have none, are despawned.
+pub fn apply(world: &mut World, description: &SceneDescription) {
+    let materials = match_by_name::<Material>(world, description.materials.keys());
+    for (name, material) in &description.materials {
+        set(world, materials[name], material);
+    }
+    let meshes = match_by_name::<Geometry>(world, description.meshes.keys());
+    for (name, mesh) in &description.meshes {
+        apply_mesh(world, meshes[name], mesh, materials.get(&mesh.material).copied());
+    }
+    let cameras = match_by_name::<Camera>(world, description.cameras.keys());
+    for (name, camera) in &description.cameras {
+        set(world, cameras[name], camera);
+        mark_active(world, cameras[name], *name == description.active);
+    }
+    let film = match_by_name::<Film>(world, [&"film".to_owned()])["film"];
+    set(world, film, &description.film);
+    set(world, film, &description.render);
+    let name = "environment".to_owned();
+    let environments = match_by_name::<Environment>(world, description.environment.iter().map(|_| &name));
+    if let Some(environment) = &description.environment {
+        set(world, environments[&name], environment);
+    }
+}
+
+/// One entity for each name: found by its `Name` among those with a `Kind`, or spawned. Others of the kind are despawned.
+fn match_by_name<'n, Kind: Component>(
+    world: &mut World,
+    names: impl IntoIterator<Item = &'n String>,
+) -> BTreeMap<String, Entity> {
+    let wanted: BTreeSet<&str> = names.into_iter().map(String::as_str).collect();
+    let mut found = BTreeMap::new();
+    let mut gone = Vec::new();
+    let mut query = world.query_filtered::<(Entity, Option<&Name>), With<Kind>>();
+    let mut present: Vec<(Entity, Option<&Name>)> = query.iter(world).collect();
+    present.sort_by_key(|(entity, _)| *entity);
+    for (entity, name) in present {
+        match name.filter(|name| wanted.contains(name.as_str()) && !found.contains_key(name.as_str())) {
+            Some(name) => {
+                found.insert(name.as_str().to_owned(), entity);
+            }
+            None => gone.push(entity),
+        }
+    }
+    for entity in gone {
+        world.despawn(entity);
+    }
+    for name in wanted {
+        if !found.contains_key(name) {
+            found.insert(name.to_owned(), world.spawn(Name::new(name.to_owned())).id());
+        }
+    }
+    found
+}
+
+/// Writes a component if it differs from what is there.
+fn set<T: Component<Mutability = Mutable> + Clone + PartialEq>(world: &mut World, entity: Entity, value: &T) {
+    match world.get::<T>(entity) {
+        Some(held) if held == value => {}
+        Some(_) => *world.get_mut::<T>(entity).expect("invariant: it was just read") = value.clone(),
+        None => {
+            world.entity_mut(entity).insert(value.clone());
+        }
+    }
+}
+
+/// Writes what differs of a mesh. Equal geometry keeps the shared data that is there, wherever it was read from.
+fn apply_mesh(world: &mut World, entity: Entity, mesh: &MeshEntry, material: Option<Entity>) {
+    let same = |held: &Geometry| Arc::ptr_eq(&held.0, &mesh.geometry) || held.0 == mesh.geometry;
+    if !world.get::<Geometry>(entity).is_some_and(same) {
+        world.entity_mut(entity).insert(Geometry(mesh.geometry.clone()));
+    }
+    set(world, entity, &mesh.transform);
+    match material {
+        Some(material) => set(world, entity, &UsesMaterial(material)),
+        None => {
+            world.entity_mut(entity).remove::<UsesMaterial>();
+        }
+    }
+}
+
+/// Adds or removes the mark of the camera that is rendered.
+fn mark_active(world: &mut World, entity: Entity, active: bool) {
+    match (world.get::<Active>(entity).is_some(), active) {
+        (false, true) => {
+            world.entity_mut(entity).insert(Active);
+        }
+        (true, false) => {
+            world.entity_mut(entity).remove::<Active>();
+        }
+        _ => {}
+    }
+}

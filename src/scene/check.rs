@@ -1,0 +1,89 @@
+//! Reads asset files for their messages alone.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use super::diagnostic::{Diagnostic, Diagnostics, Severity};
+use super::load::load;
+use super::mtl::read_mtl;
+use super::obj::read_obj;
+use super::text::cannot_read;
+
+/// What a check has read and found.
+#[derive(Clone, Debug, Default)]
+pub struct Checked {
+    /// The assets that were checked, sorted.
+    pub files: Vec<PathBuf>,
+    pub diagnostics: Diagnostics,
+}
+
+/// Checks an asset file (.obj, .mtl, .ron), or every one in a folder and the folders below it.
+///
+/// A message that several files lead to (a scene and the model it names) is kept once.
+pub fn check(path: &Path) -> Checked {
+    let mut checked = Checked::default();
+    if path.is_dir() {
+        collect(path, 0, &mut checked);
+        checked.files.sort();
+    } else {
+        checked.files.push(path.to_path_buf());
+    }
+    let mut seen = BTreeSet::new();
+    for file in &checked.files {
+        for diagnostic in check_file(file) {
+            if seen.insert((diagnostic.file.clone(), diagnostic.line, diagnostic.column, diagnostic.message.clone())) {
+                checked.diagnostics.push(diagnostic);
+            }
+        }
+    }
+    checked
+}
+
+/// Folders below a folder that are looked into: links could go round in circles.
+const MAX_DEPTH: usize = 16;
+
+/// Adds the asset files of a folder and those below it.
+fn collect(folder: &Path, depth: usize, checked: &mut Checked) {
+    let entries = match std::fs::read_dir(folder) {
+        Ok(entries) => entries,
+        Err(error) => return checked.diagnostics.push(cannot_read(folder, &error)),
+    };
+    for path in entries.flatten().map(|entry| entry.path()) {
+        if path.is_dir() {
+            if depth < MAX_DEPTH {
+                collect(&path, depth + 1, checked);
+            }
+        } else if matches!(extension(&path).as_str(), "obj" | "mtl" | "ron") {
+            checked.files.push(path);
+        }
+    }
+}
+
+/// The messages of one file.
+fn check_file(path: &Path) -> Diagnostics {
+    let mut diagnostics = Diagnostics::default();
+    let mut files = Vec::new();
+    match extension(path).as_str() {
+        "ron" => match load(path, &[]) {
+            Ok(loaded) => diagnostics.list = loaded.warnings,
+            Err(errors) => diagnostics = errors,
+        },
+        "obj" => {
+            read_obj(path, &mut diagnostics, &mut files);
+        }
+        "mtl" => {
+            read_mtl(path, &mut diagnostics);
+        }
+        _ => {
+            let message = "can't check this kind of file";
+            let help = "assets are .ron (scenes), .obj (models) and .mtl (materials)";
+            diagnostics.push(Diagnostic::file(Severity::Error, path, message).help(help));
+        }
+    }
+    diagnostics
+}
+
+/// A file's extension in small letters.
+fn extension(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
+}

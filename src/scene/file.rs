@@ -1,0 +1,295 @@
+//! Scene files: what each field means, its range and its default.
+
+use std::collections::BTreeMap;
+
+use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
+
+use super::diagnostic::Diagnostic;
+use super::ron::{Fields, Kind, Node, Reader};
+use super::suggest::known_names;
+use crate::components::{Camera, Crop, Energy, Environment, Film, Integrator, Material, Render};
+
+/// A scene file, typed; models are not read yet.
+#[derive(Debug, Default)]
+pub struct SceneFile {
+    pub models: Vec<ModelEntry>,
+    pub cameras: BTreeMap<String, Camera>,
+    /// The chosen camera, one of `cameras`.
+    pub active: Option<String>,
+    pub film: Film,
+    pub render: Render,
+    pub environment: Option<Environment>,
+    /// Sorted by name; full keys (`model:material`) after bare names, so that they win.
+    pub materials: Vec<MaterialEntry>,
+}
+
+/// One model of a scene.
+#[derive(Debug)]
+pub struct ModelEntry {
+    /// As written: relative to the scene file's folder.
+    pub path: String,
+    /// First part of its meshes' names; the file's stem where it isn't given.
+    pub name: Option<String>,
+    pub transform: DAffine3,
+    /// An error about this entry, without its message.
+    pub place: Diagnostic,
+}
+
+/// Changes to the materials of one name.
+#[derive(Debug)]
+pub struct MaterialEntry {
+    pub name: String,
+    pub edit: MaterialEdit,
+    /// An error about this entry, without its message.
+    pub place: Diagnostic,
+}
+
+/// The numbers of a material that a scene file changes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MaterialEdit {
+    kd: Option<Vec3>,
+    ks: Option<Vec3>,
+    ns: Option<f32>,
+    ke: Option<Vec3>,
+    one_sided: Option<bool>,
+    ni: Option<f32>,
+    d: Option<f32>,
+    tf: Option<Vec3>,
+    illum: Option<u32>,
+}
+
+impl MaterialEdit {
+    /// Writes the given numbers over a material's.
+    pub fn apply(&self, material: &mut Material) {
+        let set = |to: &mut Vec3, from: Option<Vec3>| *to = from.unwrap_or(*to);
+        set(&mut material.kd, self.kd);
+        set(&mut material.ks, self.ks);
+        set(&mut material.emission, self.ke);
+        set(&mut material.tf, self.tf);
+        material.ns = self.ns.unwrap_or(material.ns);
+        material.ni = self.ni.unwrap_or(material.ni);
+        material.dissolve = self.d.unwrap_or(material.dissolve);
+        material.one_sided = self.one_sided.unwrap_or(material.one_sided);
+        material.illum = self.illum.unwrap_or(material.illum);
+    }
+}
+
+/// Types a tree; what is wrong goes to the reader, and the rest has its defaults.
+pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
+    let mut file = SceneFile::default();
+    let inner = match &root.kind {
+        Kind::Variant("Scene", Some(inner)) => inner,
+        _ => root,
+    };
+    let Some(fields) = Fields::open(reader, inner, "") else { return file };
+    if let Some(node) = fields.get("models") {
+        file.models = read_list(reader, node, "models", read_model);
+    }
+    if let Some(node) = fields.get("cameras") {
+        file.cameras = read_map(reader, node, "cameras", read_camera).into_iter().collect();
+    }
+    file.active = fields.read("camera", |node| {
+        let name = node.string()?;
+        if file.cameras.is_empty() || file.cameras.contains_key(&name) {
+            return Ok(name);
+        }
+        Err(format!("there is no camera `{name}`; {}", known_names(&name, file.cameras.keys().map(String::as_str))))
+    });
+    if let Some(node) = fields.get("film") {
+        file.film = read_film(reader, node).unwrap_or_default();
+    }
+    if let Some(node) = fields.get("render") {
+        file.render = read_render(reader, node).unwrap_or_default();
+    }
+    file.environment = fields.read("environment", read_environment);
+    if let Some(node) = fields.get("materials") {
+        file.materials = read_map(reader, node, "materials", |reader, node, path| {
+            Some((read_material(reader, node, path)?, node.text.error(node.source, "")))
+        })
+        .into_iter()
+        .map(|(name, (edit, place))| MaterialEntry { name, edit, place })
+        .collect();
+        file.materials.sort_by_key(|entry| (entry.name.contains(':'), entry.name.clone()));
+    }
+    fields.finish();
+    file
+}
+
+/// The entries of a list, those that are right.
+fn read_list<T>(reader: &Reader, node: &Node, path: &str, read: impl Fn(&Reader, &Node, &str) -> Option<T>) -> Vec<T> {
+    match node.items() {
+        Ok(items) => {
+            items.iter().enumerate().filter_map(|(i, item)| read(reader, item, &format!("{path}.{i}"))).collect()
+        }
+        Err(message) => {
+            reader.error(node, path, message);
+            Vec::new()
+        }
+    }
+}
+
+/// The entries of a map, those that are right.
+fn read_map<T>(
+    reader: &Reader,
+    node: &Node,
+    path: &str,
+    read: impl Fn(&Reader, &Node, &str) -> Option<T>,
+) -> Vec<(String, T)> {
+    match node.fields() {
+        Ok(fields) => fields
+            .iter()
+            .filter_map(|(name, _, node)| Some((name.clone(), read(reader, node, &format!("{path}.{name}"))?)))
+            .collect(),
+        Err(message) => {
+            reader.error(node, path, message);
+            Vec::new()
+        }
+    }
+}
+
+/// `(path: "..", name: "..", transform: (..))`
+fn read_model(reader: &Reader, node: &Node, path: &str) -> Option<ModelEntry> {
+    let fields = Fields::open(reader, node, path)?;
+    let place = node.text.error(fields.get("path").map_or(node.source, |path| path.source), "");
+    let file = fields.require("path", |node| match node.string()? {
+        path if path.is_empty() => Err("expected the path of an .obj file, found an empty string".into()),
+        path => Ok(path),
+    });
+    let name = fields.read("name", |node| match node.string()? {
+        name if name.is_empty() || name.contains([':', '/']) => {
+            Err("a model's name is not empty and has no `:` or `/`".into())
+        }
+        name => Ok(name),
+    });
+    let transform = match fields.get("transform") {
+        Some(node) => read_transform(reader, node, &fields.path_of("transform")),
+        None => Some(DAffine3::IDENTITY),
+    };
+    let sound = fields.finish();
+    let entry = ModelEntry { path: file?, name, transform: transform?, place };
+    sound.then_some(entry)
+}
+
+/// Scale, then turns about x, y and z in this order, then translation; or a matrix of three rows of four.
+fn read_transform(reader: &Reader, node: &Node, path: &str) -> Option<DAffine3> {
+    let fields = Fields::open(reader, node, path)?;
+    let matrix = fields.read("matrix", |node| {
+        let rows: Vec<[f64; 4]> = node.items()?.iter().map(|row| row.numbers(-1e12, 1e12)).collect::<Result<_, _>>()?;
+        let rows: [[f64; 4]; 3] = rows.try_into().map_err(|_| "expected three rows of four numbers".to_owned())?;
+        let linear = DMat3::from_cols_array_2d(&[0, 1, 2].map(|row| [rows[row][0], rows[row][1], rows[row][2]]));
+        Ok(DAffine3::from_mat3_translation(linear.transpose(), DVec3::from_array(rows.map(|row| row[3]))))
+    });
+    let scale = fields.read("scale", |node| match &node.kind {
+        Kind::Items(_) => node.vector(),
+        _ => node.number(-1e12, 1e12).map(DVec3::splat),
+    });
+    let angle = |name: &'static str| fields.read(name, |node| node.number(-1e6, 1e6).map(f64::to_radians));
+    let (x, y, z) = (angle("rotate_x"), angle("rotate_y"), angle("rotate_z"));
+    let translate = fields.read("translate", Node::vector);
+    if matrix.is_some() && (scale.is_some() || x.or(y).or(z).is_some() || translate.is_some()) {
+        fields.fail("`matrix` stands alone: leave out scale, rotate and translate");
+    }
+    let turn = DMat3::from_rotation_z(z.unwrap_or(0.0))
+        * DMat3::from_rotation_y(y.unwrap_or(0.0))
+        * DMat3::from_rotation_x(x.unwrap_or(0.0));
+    let linear = turn * DMat3::from_diagonal(scale.unwrap_or(DVec3::ONE));
+    let transform = matrix.unwrap_or_else(|| DAffine3::from_mat3_translation(linear, translate.unwrap_or(DVec3::ZERO)));
+    let determinant = transform.matrix3.determinant();
+    if !(determinant.is_finite() && determinant.abs() > 1e-100) {
+        fields.fail("this transform flattens the model (its determinant is 0)");
+    }
+    fields.finish().then_some(transform)
+}
+
+/// `(position: (..), look_at: (..), up: (0, 1, 0), fov_y: 45)`
+fn read_camera(reader: &Reader, node: &Node, path: &str) -> Option<Camera> {
+    let fields = Fields::open(reader, node, path)?;
+    let position = fields.require("position", Node::vector);
+    let look_at = fields.require("look_at", Node::vector);
+    let up = fields.read("up", Node::vector).unwrap_or(DVec3::Y);
+    let fov_y = fields.read("fov_y", |node| node.number(1e-3, 179.0)).unwrap_or(45.0);
+    if let (Some(position), Some(look_at)) = (position, look_at) {
+        let view = (look_at - position).normalize_or_zero();
+        if view == DVec3::ZERO {
+            fields.fail("`position` and `look_at` are the same point");
+        } else if view.cross(up.normalize_or_zero()).length() < 1e-9 {
+            fields.fail("`up` is zero or along the view: choose another direction");
+        }
+    }
+    let sound = fields.finish();
+    let camera = Camera { position: position?, look_at: look_at?, up, fov_y };
+    sound.then_some(camera)
+}
+
+/// `(size: (512, 512), crop: (x0, x1, y0, y1), exposure: 0)`
+fn read_film(reader: &Reader, node: &Node) -> Option<Film> {
+    let default = Film::default();
+    let fields = Fields::open(reader, node, "film")?;
+    let size = fields.read("size", |node| node.integers(1, MAX_SIDE)).map_or(default.size, UVec2::from_array);
+    let crop = fields.read("crop", |node| {
+        let [x0, x1, y0, y1] = node.integers(0, MAX_SIDE)?;
+        let crop = Crop { min: UVec2::new(x0, y0), max: UVec2::new(x1, y1) };
+        if crop.min.cmplt(crop.max).all() && crop.max.cmple(size).all() {
+            return Ok(crop);
+        }
+        Err(format!("expected x0, x1, y0, y1 with x0 < x1 <= {} and y0 < y1 <= {}", size.x, size.y))
+    });
+    let exposure = fields.read("exposure", |node| node.number(-64.0, 64.0)).unwrap_or(0.0) as f32;
+    fields.finish();
+    Some(Film { size, crop, exposure })
+}
+
+/// Pixels a side, at most.
+const MAX_SIDE: u32 = 16_384;
+
+/// `(integrator: Bsdf, max_depth: 16, roulette: true, energy: Preserve, seed: 0, spp: 64)`
+fn read_render(reader: &Reader, node: &Node) -> Option<Render> {
+    let default = Render::default();
+    let fields = Fields::open(reader, node, "render")?;
+    let render = Render {
+        integrator: fields
+            .read("integrator", |node| node.one_of(&[("Bsdf", Integrator::Bsdf)]))
+            .unwrap_or(default.integrator),
+        max_depth: fields.read("max_depth", |node| node.integer(1, 1024)).unwrap_or(default.max_depth),
+        roulette: fields.read("roulette", Node::boolean).unwrap_or(default.roulette),
+        energy: fields
+            .read("energy", |node| node.one_of(&[("Preserve", Energy::Preserve), ("AsWritten", Energy::AsWritten)]))
+            .unwrap_or(default.energy),
+        seed: fields.read("seed", |node| node.integer(0, u32::MAX)).unwrap_or(default.seed),
+        spp: fields.read("spp", |node| node.integer(1, u32::MAX)).unwrap_or(default.spp),
+    };
+    fields.finish();
+    Some(render)
+}
+
+/// `Constant((r, g, b))`, with or without the inner parentheses, or `Constant(grey)`.
+fn read_environment(node: &Node) -> Result<Environment, String> {
+    match &node.kind {
+        Kind::Variant("Constant", Some(content)) => {
+            let inner = match &content.kind {
+                Kind::Items(items) if items.len() == 1 => &items[0],
+                _ => content,
+            };
+            inner.colour(1e6).map(Environment::Constant)
+        }
+        Kind::Variant("Map", _) => Err("environment maps are not supported yet: use Constant((r, g, b))".into()),
+        _ => Err(format!("expected Constant((r, g, b)), found {}", node.describe())),
+    }
+}
+
+/// `(kd: (..), ks: (..), ns: 64, ke: (..), ..)`, all optional.
+fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<MaterialEdit> {
+    let fields = Fields::open(reader, node, path)?;
+    let edit = MaterialEdit {
+        kd: fields.read("kd", |node| node.colour(1e3)),
+        ks: fields.read("ks", |node| node.colour(1e3)),
+        ns: fields.read("ns", |node| node.number(0.0, 1e5)).map(|value| value as f32),
+        ke: fields.read("ke", |node| node.colour(1e6)),
+        one_sided: fields.read("one_sided", Node::boolean),
+        ni: fields.read("ni", |node| node.number(1.0, 100.0)).map(|value| value as f32),
+        d: fields.read("d", |node| node.number(0.0, 1.0)).map(|value| value as f32),
+        tf: fields.read("tf", |node| node.colour(1.0)),
+        illum: fields.read("illum", |node| node.integer(0, 10)),
+    };
+    fields.finish().then_some(edit)
+}

@@ -1,0 +1,54 @@
+//! Scenes by name.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::diagnostic::{Diagnostic, Severity};
+use super::suggest::known_names;
+
+/// The scene file that a path or a name means: a file, or `NAME.ron` in one of the folders of scenes.
+///
+/// Those are `assets/scenes` of the current folder, of the source tree this was built from, and beside the executable.
+pub fn find(name_or_path: &str) -> Result<PathBuf, Diagnostic> {
+    let path = Path::new(name_or_path);
+    if path.is_file() {
+        return Ok(path.to_path_buf());
+    }
+    let known = known_scenes();
+    if let Some(found) = known.get(name_or_path.strip_suffix(".ron").unwrap_or(name_or_path)) {
+        return Ok(found.clone());
+    }
+    let error = |message: String| Diagnostic::file(Severity::Error, path, message);
+    if path.is_dir() {
+        return Err(
+            error("this is a folder, not a scene".into()).help("name a scene file (.ron) or a model (.obj) in it")
+        );
+    }
+    let names = known_names(name_or_path, known.keys().map(String::as_str));
+    if path.extension().is_some() || path.components().count() > 1 {
+        return Err(error("there is no such file".into()).help(format!("or name a scene; {names}")));
+    }
+    Err(error(format!("there is no scene `{name_or_path}`")).help(names))
+}
+
+/// Every scene in the folders of scenes, by name; the first folder that has a name wins.
+fn known_scenes() -> BTreeMap<String, PathBuf> {
+    let mut known = BTreeMap::new();
+    for folder in folders() {
+        let Ok(entries) = std::fs::read_dir(&folder) else { continue };
+        for path in entries.flatten().map(|entry| entry.path()) {
+            if let (Some(stem), true) = (path.file_stem(), path.extension().is_some_and(|extension| extension == "ron"))
+            {
+                known.entry(stem.to_string_lossy().into_owned()).or_insert(path);
+            }
+        }
+    }
+    known
+}
+
+/// The folders of scenes, in the order they are searched.
+fn folders() -> Vec<PathBuf> {
+    let executable = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
+    let roots = [Some(PathBuf::new()), Some(PathBuf::from(env!("CARGO_MANIFEST_DIR"))), executable];
+    roots.into_iter().flatten().map(|root| root.join("assets/scenes")).collect()
+}

@@ -1,0 +1,260 @@
+//! A scene file and all it names, read into one description.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3, Vec3};
+
+use super::diagnostic::{Diagnostic, Diagnostics, Severity};
+use super::file::{MaterialEntry, ModelEntry, SceneFile, read_scene};
+use super::obj::{Model, read_obj};
+use super::ron::{Reader, apply_defines, define_texts, parse};
+use super::suggest::known_names;
+use super::text::Text;
+use crate::components::{Camera, Environment, Film, Material, MeshData, Render, Transform};
+
+/// Bytes that a scene file may have.
+const SCENE_LIMIT: u64 = 4 << 20;
+
+/// The greatest coordinate in world space: its cube, which a determinant needs, is within f32.
+const FARTHEST: f64 = 1e12;
+
+/// A whole scene as plain data, every name a stable key: equal files give equal descriptions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneDescription {
+    /// The scene file's stem.
+    pub name: String,
+    /// By `model/object/part`.
+    pub meshes: BTreeMap<String, MeshEntry>,
+    /// By `model:material`.
+    pub materials: BTreeMap<String, Material>,
+    /// By the name in the scene file; never empty.
+    pub cameras: BTreeMap<String, Camera>,
+    /// The camera that is rendered, a key of `cameras`.
+    pub active: String,
+    pub film: Film,
+    pub render: Render,
+    /// `None` is black.
+    pub environment: Option<Environment>,
+}
+
+/// One mesh: its geometry may be shared with others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshEntry {
+    pub geometry: Arc<MeshData>,
+    pub transform: Transform,
+    /// A key of the description's materials.
+    pub material: String,
+}
+
+/// What loading gives.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    pub description: SceneDescription,
+    /// What was not taken as written, in the order it was met.
+    pub warnings: Vec<Diagnostic>,
+    /// Every file that was read, or that was looked for and is missing.
+    pub files: Vec<PathBuf>,
+}
+
+/// Reads a scene file, or an OBJ file with a default camera and a constant environment.
+///
+/// `defines` change values of the scene file by field path before it is typed: `("materials.teapot.ns", "64")`.
+pub fn load(scene: &Path, defines: &[(String, String)]) -> Result<Loaded, Diagnostics> {
+    let mut loader = Loader::default();
+    match loader.load(scene, defines) {
+        Some(description) if !loader.diagnostics.has_errors() => {
+            Ok(Loaded { description, warnings: loader.diagnostics.list, files: loader.files })
+        }
+        _ => Err(loader.diagnostics),
+    }
+}
+
+/// Whether a path is that of an OBJ file.
+pub fn is_obj(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
+}
+
+#[derive(Default)]
+struct Loader {
+    files: Vec<PathBuf>,
+    diagnostics: Diagnostics,
+    /// Each OBJ file is read once, however many models use it; `None` where it failed.
+    models: BTreeMap<PathBuf, Option<Model>>,
+}
+
+impl Loader {
+    fn load(&mut self, scene: &Path, defines: &[(String, String)]) -> Option<SceneDescription> {
+        let file = self.read_file(scene, defines)?;
+        let folder = scene.parent().unwrap_or(Path::new(""));
+        let mut meshes = BTreeMap::new();
+        let mut materials = BTreeMap::new();
+        let mut names = BTreeMap::new();
+        for entry in &file.models {
+            self.add_model(folder, entry, &mut names, &mut meshes, &mut materials);
+        }
+        for entry in &file.materials {
+            self.edit_materials(entry, &mut materials);
+        }
+        let cameras = if file.cameras.is_empty() { default_camera(&meshes, &file) } else { file.cameras };
+        let active = file.active.or_else(|| cameras.keys().next().cloned())?;
+        Some(SceneDescription {
+            name: stem(scene),
+            meshes,
+            materials,
+            cameras,
+            active,
+            film: file.film,
+            render: file.render,
+            environment: file.environment,
+        })
+    }
+
+    /// Reads and types the scene file; for an OBJ file, the scene that holds it alone.
+    fn read_file(&mut self, scene: &Path, defines: &[(String, String)]) -> Option<SceneFile> {
+        let text = if is_obj(scene) {
+            let text = "(environment: Constant(1.0))".to_owned();
+            Ok(Text { file: scene.to_path_buf(), text })
+        } else {
+            self.files.push(scene.to_path_buf());
+            Text::read(scene, SCENE_LIMIT)
+        };
+        let text = text.map_err(|error| self.diagnostics.push(error)).ok()?;
+        let defined = define_texts(defines);
+        let tree = parse(&text).and_then(|mut root| {
+            apply_defines(&mut root, defines, &defined)?;
+            Ok(root)
+        });
+        let root = tree.map_err(|error| self.diagnostics.push(error)).ok()?;
+        let reader = Reader::default();
+        let mut file = read_scene(&reader, &root);
+        self.diagnostics.list.extend(reader.into_diagnostics());
+        if is_obj(scene) {
+            let path = scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let place = Diagnostic::file(Severity::Error, scene, "");
+            file.models.insert(0, ModelEntry { path, name: None, transform: DAffine3::IDENTITY, place });
+        }
+        Some(file)
+    }
+
+    /// Adds the meshes and materials of one model under names of its own.
+    fn add_model(
+        &mut self,
+        folder: &Path,
+        entry: &ModelEntry,
+        names: &mut BTreeMap<String, u32>,
+        meshes: &mut BTreeMap<String, MeshEntry>,
+        materials: &mut BTreeMap<String, Material>,
+    ) {
+        let path = folder.join(entry.path.replace('\\', "/"));
+        if !is_obj(&path) {
+            let message = format!("`{}` is no .obj file: models are read from OBJ files only", entry.path);
+            return self.diagnostics.push(Diagnostic { message, ..entry.place.clone() });
+        }
+        if !path.exists() && entry.place.line > 0 {
+            let message = format!("there is no file `{}`", path.display());
+            let help = "the path is relative to the folder of the scene file";
+            return self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help(help));
+        }
+        if !self.models.contains_key(&path) {
+            let model = read_obj(&path, &mut self.diagnostics, &mut self.files);
+            self.models.insert(path.clone(), model);
+        }
+        let Some(Some(model)) = self.models.get(&path) else { return };
+        let name = unique(entry.name.clone().unwrap_or_else(|| stem(&path)), names);
+        let transform = Transform(entry.transform);
+        for part in &model.parts {
+            let material = format!("{name}:{}", part.material);
+            let mesh = MeshEntry { geometry: part.geometry.clone(), transform, material };
+            meshes.insert(format!("{name}/{}", part.name), mesh);
+        }
+        for (material, value) in &model.materials {
+            materials.insert(format!("{name}:{material}"), value.clone());
+        }
+        let (min, max) = model.bounds;
+        let corners = corners(min, max).map(|corner| entry.transform.transform_point3(corner));
+        if !corners.iter().all(|corner| corner.abs().max_element() <= FARTHEST) {
+            let message = format!("this model reaches beyond {FARTHEST:e} units in world space");
+            let help = "scale it down: single precision can't hold such distances";
+            self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help(help));
+        }
+    }
+
+    /// Applies one entry of the scene file's `materials`: to a full key, or to every model's material of that name.
+    fn edit_materials(&mut self, entry: &MaterialEntry, materials: &mut BTreeMap<String, Material>) {
+        let mut found = false;
+        for (key, material) in materials.iter_mut() {
+            if *key == entry.name || bare(key) == entry.name {
+                entry.edit.apply(material);
+                found = true;
+            }
+        }
+        if !found && !self.diagnostics.has_errors() {
+            let known: Vec<&str> = if entry.name.contains(':') {
+                materials.keys().map(String::as_str).collect()
+            } else {
+                materials.keys().map(|key| bare(key)).collect()
+            };
+            let message = format!("no model has a material `{}`", entry.name);
+            let help = known_names(&entry.name, known);
+            self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help(help));
+        }
+    }
+}
+
+/// The material's own name within a key `model:material`.
+fn bare(key: &str) -> &str {
+    key.split_once(':').map_or(key, |(_, name)| name)
+}
+
+/// A file's name without folder and extension.
+fn stem(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The name itself, or for its second use `name-2`, and so on.
+fn unique(name: String, names: &mut BTreeMap<String, u32>) -> String {
+    let count = names.entry(name.clone()).or_insert(0);
+    *count += 1;
+    if *count == 1 {
+        return name;
+    }
+    let numbered = format!("{name}-{count}");
+    unique(numbered, names)
+}
+
+/// The eight corners of a box.
+fn corners(min: DVec3, max: DVec3) -> [DVec3; 8] {
+    std::array::from_fn(|i| {
+        let pick = |axis: usize| if i >> axis & 1 == 0 { min[axis] } else { max[axis] };
+        DVec3::new(pick(0), pick(1), pick(2))
+    })
+}
+
+/// A camera that sees all meshes, from the front, a little right and above.
+fn default_camera(meshes: &BTreeMap<String, MeshEntry>, file: &SceneFile) -> BTreeMap<String, Camera> {
+    let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for mesh in meshes.values() {
+        for corner in &mesh.geometry.triangles {
+            for index in corner {
+                let point = mesh.transform.0.transform_point3(mesh.geometry.positions[*index as usize]);
+                (min, max) = (min.min(point), max.max(point));
+            }
+        }
+    }
+    let empty = min.cmpgt(max).any();
+    let (centre, radius) =
+        if empty { (DVec3::ZERO, 1.0) } else { ((min + max) / 2.0, ((max - min).length() / 2.0).max(1e-9)) };
+    let fov_y = 40.0_f64;
+    let aspect = f64::from(file.film.size.x) / f64::from(file.film.size.y);
+    let half = (fov_y.to_radians() / 2.0).tan() * aspect.min(1.0);
+    let distance = radius / half.atan().sin();
+    let position = centre + DVec3::new(0.4, 0.3, 1.0).normalize() * distance;
+    BTreeMap::from([("default".to_owned(), Camera { position, look_at: centre, up: DVec3::Y, fov_y })])
+}
+
+/// What meshes get that name no material, or one that no library has.
+pub fn default_material() -> Material {
+    Material { kd: Vec3::splat(0.6), ..Material::default() }
+}

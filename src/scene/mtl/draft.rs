@@ -1,0 +1,301 @@
+//! A material while its statements are read, and what they come to in the end.
+
+use std::path::Path;
+
+use glam::Vec3;
+
+use super::maps;
+use super::values::{colour, scalar};
+use crate::components::{Material, TextureMaps};
+use crate::scene::diagnostic::{Diagnostic, Tally};
+use crate::scene::lines::{Line, words};
+use crate::scene::load::default_material;
+use crate::scene::suggest::did_you_mean;
+
+/// Greatest reflectance and emission: their products along a path stay far within f32.
+const BRIGHTEST: f32 = 1e6;
+
+/// Greatest exponent of the Phong lobe.
+const SHARPEST: f32 = 1e5;
+
+/// Statements we know, for suggestions.
+const KNOWN: &[&str] = &[
+    "newmtl",
+    "Ka",
+    "Kd",
+    "Ks",
+    "Ke",
+    "Le",
+    "Ns",
+    "Ni",
+    "d",
+    "Tr",
+    "Tf",
+    "illum",
+    "map_Ka",
+    "map_Kd",
+    "map_Ks",
+    "map_Ns",
+    "map_Ke",
+    "map_d",
+    "map_Bump",
+    "bump",
+    "Pr",
+    "Pm",
+    "norm",
+    "disp",
+    "decal",
+    "refl",
+    "sharpness",
+];
+
+/// One material so far: what was given, each with the statement's place (a warning that lacks its message).
+#[derive(Debug)]
+pub struct Draft {
+    name: String,
+    place: Diagnostic,
+    kd: Option<Vec3>,
+    ks: Option<Vec3>,
+    ns: Option<f32>,
+    ke: Option<(Vec3, Diagnostic)>,
+    le: Option<(Vec3, Diagnostic)>,
+    ni: Option<f32>,
+    d: Option<(f32, Diagnostic)>,
+    tr: Option<(f32, Diagnostic)>,
+    tf: Option<(Vec3, Diagnostic)>,
+    illum: Option<(u32, Diagnostic)>,
+    maps: TextureMaps,
+    map: Option<Diagnostic>,
+}
+
+impl Draft {
+    /// A material without statements; `key` is its `newmtl`.
+    pub fn new(name: &str, line: &Line, key: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            place: line.warning(key, ""),
+            kd: None,
+            ks: None,
+            ns: None,
+            ke: None,
+            le: None,
+            ni: None,
+            d: None,
+            tr: None,
+            tf: None,
+            illum: None,
+            maps: TextureMaps::default(),
+            map: None,
+        }
+    }
+
+    /// Takes one statement.
+    pub fn read(&mut self, line: &Line, key: &str, rest: &str, folder: &Path, tally: &mut Tally) {
+        let place = || line.warning(key, "");
+        match key.to_ascii_lowercase().as_str() {
+            "kd" => self.kd = colour(line, key, rest, BRIGHTEST, tally).or(self.kd),
+            "ks" => self.ks = colour(line, key, rest, BRIGHTEST, tally).or(self.ks),
+            "ns" => self.ns = scalar(line, key, rest, 0.0, SHARPEST, tally).or(self.ns),
+            "ke" => replace(&mut self.ke, colour(line, key, rest, BRIGHTEST, tally), place),
+            "le" => replace(&mut self.le, colour(line, key, rest, BRIGHTEST, tally), place),
+            "ni" => self.ni = scalar(line, key, rest, 1.0, 100.0, tally).or(self.ni),
+            "d" => self.read_dissolve(line, key, rest, tally),
+            "tr" => replace(&mut self.tr, scalar(line, key, rest, 0.0, 1.0, tally), place),
+            "tf" => replace(&mut self.tf, colour(line, key, rest, 1.0, tally), place),
+            "illum" => self.read_illum(line, key, rest, tally),
+            "ka" | "map_ka" | "sharpness" => tally.once("ambient light", || {
+                line.warning(key, format!("`{key}` has no meaning in path tracing; it is left out in this whole file"))
+            }),
+            "map_kd" | "map_ks" | "map_ns" | "map_ke" | "map_d" | "map_bump" | "bump" => {
+                self.read_map(line, key, rest, folder, tally);
+            }
+            "pr" | "pm" | "ps" | "pc" | "pcr" | "aniso" | "anisor" | "norm" | "disp" | "decal" | "refl" | "map_pr"
+            | "map_pm" | "map_ps" | "map_refl" | "map_aat" => {
+                tally.push("statements not honoured yet", || {
+                    line.warning(key, format!("`{key}` is not honoured yet: it is left out"))
+                });
+            }
+            _ => tally.push("unknown statements", || {
+                let warning = line.warning(key, format!("unknown statement `{key}`: it is left out"));
+                match did_you_mean(key, KNOWN.iter().copied()) {
+                    Some(help) => warning.help(help),
+                    None => warning,
+                }
+            }),
+        }
+    }
+
+    /// `d 0.5`, or `d -halo 0.5`, whose halo is not honoured.
+    fn read_dissolve(&mut self, line: &Line, key: &str, rest: &str, tally: &mut Tally) {
+        let halo = rest.strip_prefix("-halo");
+        if halo.is_some() {
+            tally.push("halos", || line.warning(rest, "`-halo` is not honoured: the whole surface gets this `d`"));
+        }
+        let value = scalar(line, key, halo.unwrap_or(rest), 0.0, 1.0, tally);
+        replace(&mut self.d, value, || line.warning(key, ""));
+    }
+
+    /// A whole number from 0 to 10.
+    fn read_illum(&mut self, line: &Line, key: &str, rest: &str, tally: &mut Tally) {
+        let word = words(rest).next().unwrap_or_default();
+        match word.parse::<u32>() {
+            Ok(model) if model <= 10 => self.illum = Some((model, line.warning(key, ""))),
+            _ => tally.push("illumination models", || {
+                line.warning(key, format!("`illum` is a whole number from 0 to 10, not `{word}`: it is left out"))
+            }),
+        }
+    }
+
+    /// An image file.
+    fn read_map(&mut self, line: &Line, key: &str, rest: &str, folder: &Path, tally: &mut Tally) {
+        let Some(path) = maps::path(line, key, rest, folder, tally) else { return };
+        let slot = match key.to_ascii_lowercase().as_str() {
+            "map_kd" => &mut self.maps.kd,
+            "map_ks" => &mut self.maps.ks,
+            "map_ns" => &mut self.maps.ns,
+            "map_ke" => &mut self.maps.ke,
+            "map_d" => &mut self.maps.dissolve,
+            _ => &mut self.maps.bump,
+        };
+        *slot = Some(path);
+        self.map.get_or_insert_with(|| line.warning(key, ""));
+    }
+
+    /// The material these statements describe, with warnings of what can't be rendered as written.
+    pub fn finish(self, tally: &mut Tally) -> (String, Material) {
+        let default = default_material();
+        let bare = self.kd.is_none() && self.ks.is_none() && self.ke.is_none() && self.le.is_none();
+        if bare && self.maps == TextureMaps::default() {
+            self.warn(
+                tally,
+                &self.place,
+                "materials without colour",
+                "has neither Kd, Ks, Ke nor Le: it is rendered grey",
+            );
+        }
+        self.warn_of_unrendered(tally);
+        let missing_kd = match &self.maps.kd {
+            // What a map is multiplied by.
+            Some(_) => Vec3::ONE,
+            None if bare => default.kd,
+            None => Vec3::ZERO,
+        };
+        let material = Material {
+            kd: self.kd.unwrap_or(missing_kd),
+            ks: self.ks.unwrap_or(Vec3::ZERO),
+            ns: self.ns.unwrap_or(default.ns),
+            emission: self.emission(tally),
+            one_sided: false,
+            ni: self.ni.unwrap_or(default.ni),
+            dissolve: self.dissolve(tally),
+            tf: self.tf.as_ref().map_or(default.tf, |(tf, _)| *tf),
+            illum: self.illum.as_ref().map_or(default.illum, |(illum, _)| *illum),
+            maps: self.maps,
+        };
+        (self.name, material)
+    }
+
+    /// `Ke` or `Le`: where both glow, `Le` counts in a material named `*_light`, else `Ke`.
+    fn emission(&self, tally: &mut Tally) -> Vec3 {
+        let named_light = self.name.ends_with("_light");
+        let glow = |given: &Option<(Vec3, Diagnostic)>| given.as_ref().map_or(Vec3::ZERO, |(colour, _)| *colour);
+        let (ke, le) = (glow(&self.ke), glow(&self.le));
+        if named_light && ke == Vec3::ZERO && le == Vec3::ZERO {
+            self.warn(
+                tally,
+                &self.place,
+                "lights without emission",
+                "is named a light, but emits nothing: give it `Ke` or `Le`",
+            );
+        }
+        let (first, second) = if named_light { (le, ke) } else { (ke, le) };
+        if first != Vec3::ZERO && second != Vec3::ZERO && first != second {
+            let (used, unused, place) = if named_light { ("Le", "Ke", &self.ke) } else { ("Ke", "Le", &self.le) };
+            if let Some((_, place)) = place {
+                let message = format!("has both `{used}` and `{unused}`: only `{used}` counts");
+                self.warn(tally, place, "emission given twice", &message);
+            }
+        }
+        if first == Vec3::ZERO { second } else { first }
+    }
+
+    /// `d`, else 1 - `Tr`, else opaque.
+    fn dissolve(&self, tally: &mut Tally) -> f32 {
+        match (&self.d, &self.tr) {
+            (Some((d, _)), Some((tr, place))) => {
+                if (1.0 - tr - d).abs() > 1e-4 {
+                    let message =
+                        format!("has `Tr {tr}` beside `d {d}`: `d` counts, since exporters write `Tr` both ways round");
+                    self.warn(tally, place, "Tr beside d", &message);
+                }
+                *d
+            }
+            (Some((d, _)), None) => *d,
+            (None, Some((tr, place))) => {
+                if *tr > 0.0 {
+                    let message = format!("has `Tr {tr}` and no `d`: it is taken as `d {}`", 1.0 - tr);
+                    self.warn(tally, place, "Tr without d", &message);
+                }
+                1.0 - tr
+            }
+            (None, None) => 1.0,
+        }
+    }
+
+    /// One warning for each thing that this material asks for and the renderer can't do yet.
+    fn warn_of_unrendered(&self, tally: &mut Tally) {
+        let dissolve = match (&self.d, &self.tr) {
+            (Some((d, place)), _) => Some((*d, place)),
+            (None, Some((tr, place))) => Some((1.0 - tr, place)),
+            (None, None) => None,
+        };
+        if let Some((_, place)) = dissolve.filter(|(d, _)| *d < 1.0) {
+            self.warn(tally, place, "transparency", "is transparent: it is rendered as opaque for now");
+        }
+        if let Some((_, place)) = self.tf.as_ref().filter(|(tf, _)| *tf != Vec3::ONE) {
+            self.warn(
+                tally,
+                place,
+                "transmission filters",
+                "filters what passes through it: it is rendered as opaque for now",
+            );
+        }
+        match &self.illum {
+            Some((model @ (4 | 5 | 6 | 7 | 9), place)) => {
+                let message = format!(
+                    "asks for glass or Fresnel reflection (illum {model}): it is rendered as opaque, with its Phong lobe, for now"
+                );
+                self.warn(tally, place, "illumination models", &message);
+            }
+            Some((10, place)) => {
+                self.warn(
+                    tally,
+                    place,
+                    "illumination models",
+                    "asks for an invisible shadow catcher (illum 10): it is rendered as a surface for now",
+                );
+            }
+            Some((model @ (0 | 1), place)) if self.ks.is_some_and(|ks| ks != Vec3::ZERO) => {
+                let message =
+                    format!("has `illum {model}`, which is without highlights, and yet `Ks`: `Ks` is rendered");
+                self.warn(tally, place, "illumination models", &message);
+            }
+            _ => {}
+        }
+        if let Some(place) = &self.map {
+            self.warn(tally, place, "textures", "has textures, which are not rendered yet: its plain colours are");
+        }
+    }
+
+    /// A warning about this material at a place.
+    fn warn(&self, tally: &mut Tally, place: &Diagnostic, kind: &'static str, message: &str) {
+        tally.push(kind, || Diagnostic { message: format!("material `{}` {message}", self.name), ..place.clone() });
+    }
+}
+
+/// Takes a new value with its place, if there is one.
+fn replace<T>(slot: &mut Option<(T, Diagnostic)>, value: Option<T>, place: impl FnOnce() -> Diagnostic) {
+    if let Some(value) = value {
+        *slot = Some((value, place()));
+    }
+}

@@ -1,0 +1,141 @@
+//! The values of single statements.
+
+use crate::scene::diagnostic::Diagnostic;
+use crate::scene::lines::{Line, words};
+
+/// The greatest coordinate of a model: see the limit of world space.
+const FARTHEST: f64 = 1e12;
+
+/// Statements that OBJ files have, for suggestions.
+pub const KNOWN: &[&str] = &["v", "vt", "vn", "f", "o", "g", "s", "usemtl", "mtllib", "l", "p"];
+
+/// Whether a statement belongs to OBJ files, but to a part of them that makes no surface we render: free-form curves
+/// and surfaces, and hints to old renderers.
+pub fn is_beyond_us(key: &str) -> bool {
+    const LIST: &[&str] = &[
+        "vp",
+        "cstype",
+        "deg",
+        "bmat",
+        "step",
+        "curv",
+        "curv2",
+        "surf",
+        "parm",
+        "trim",
+        "hole",
+        "scrv",
+        "sp",
+        "end",
+        "con",
+        "bevel",
+        "c_interp",
+        "d_interp",
+        "lod",
+        "shadow_obj",
+        "trace_obj",
+        "ctech",
+        "stech",
+        "mg",
+        "maplib",
+        "usemap",
+        "call",
+        "csh",
+        "bsp",
+        "bzp",
+        "cdc",
+        "cdp",
+        "res",
+    ];
+    LIST.contains(&key)
+}
+
+/// The three coordinates of a `v`, and whether more follows (a weight or a colour).
+pub fn position<'l>(line: &Line, key: &str, rest: &'l str) -> Result<([&'l str; 3], bool), Diagnostic> {
+    let mut list = words(rest);
+    let mut coordinates = [""; 3];
+    for (found, coordinate) in coordinates.iter_mut().enumerate() {
+        let Some(word) = list.next() else {
+            return Err(line.error(key, format!("a vertex has three coordinates, this one has {found}")));
+        };
+        match word.parse::<f64>() {
+            Ok(value) if value.abs() <= FARTHEST => *coordinate = word,
+            Ok(value) if value.is_nan() => return Err(line.error(word, "a vertex can't be at NaN").help(REPAIR)),
+            Ok(value) if value.is_infinite() => {
+                return Err(line.error(word, "a vertex can't be at infinity").help(REPAIR));
+            }
+            Ok(_) => {
+                let message = format!("this coordinate is beyond {FARTHEST:e}");
+                return Err(line.error(word, message).help("scale the model down"));
+            }
+            Err(_) => return Err(line.error(word, format!("`{word}` is not a number"))),
+        }
+    }
+    Ok((coordinates, list.next().is_some()))
+}
+
+const REPAIR: &str = "repair the model, or export it again";
+
+/// The first `N` numbers of a `vn` or `vt`; `None` in place of one that single precision can't hold.
+pub fn numbers<const N: usize>(
+    line: &Line,
+    key: &str,
+    rest: &str,
+    least: usize,
+) -> Result<[Option<f64>; N], Diagnostic> {
+    let mut values = [Some(0.0); N];
+    let mut found = 0;
+    for (value, word) in values.iter_mut().zip(words(rest)) {
+        let number: f64 = word.parse().map_err(|_| line.error(word, format!("`{word}` is not a number")))?;
+        *value = (number as f32).is_finite().then_some(number);
+        found += 1;
+    }
+    if found < least {
+        return Err(line.error(key, format!("`{key}` needs {least} numbers, this one has {found}")));
+    }
+    Ok(values)
+}
+
+/// What an index refers to.
+#[derive(Clone, Copy, Debug)]
+pub struct Counts {
+    pub positions: u32,
+    pub uvs: u32,
+    pub normals: u32,
+}
+
+/// One corner of a face, `v`, `v/vt`, `v//vn` or `v/vt/vn`: indices from 0, negative ones resolved, all within their lists.
+pub fn corner(line: &Line, word: &str, counts: Counts) -> Result<super::faces::Corner, Diagnostic> {
+    let mut slots = word.split('/');
+    let position = slots.next().unwrap_or_default();
+    let (uv, normal) = (slots.next().unwrap_or_default(), slots.next().unwrap_or_default());
+    if slots.next().is_some() {
+        return Err(line.error(word, format!("a corner is v/vt/vn, `{word}` has more parts")));
+    }
+    let optional = |text: &str, count, what| match text {
+        "" => Ok(None),
+        text => index(line, text, count, what).map(Some),
+    };
+    if position.is_empty() {
+        return Err(line.error(word, format!("`{word}` has no vertex index: a corner is v/vt/vn")));
+    }
+    Ok((
+        index(line, position, counts.positions, "vertex (`v`)")?,
+        optional(uv, counts.uvs, "texture coordinate (`vt`)")?,
+        optional(normal, counts.normals, "normal (`vn`)")?,
+    ))
+}
+
+/// One index, from 1 or counted back from the end by negative numbers.
+fn index(line: &Line, text: &str, count: u32, what: &str) -> Result<u32, Diagnostic> {
+    let value: i64 = text.parse().map_err(|_| line.error(text, format!("`{text}` is not an index")))?;
+    let resolved = if value < 0 { value.checked_add(i64::from(count)) } else { value.checked_sub(1) };
+    match resolved {
+        Some(at) if (0..i64::from(count)).contains(&at) => Ok(at as u32),
+        _ if value == 0 => Err(line.error(text, "indices begin at 1, or at -1 from the end: 0 is none")),
+        _ => {
+            let message = format!("there is no {what} {text}: {count} come before this line");
+            Err(line.error(text, message))
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Defines of the command line: `materials.teapot.ns=64` changes one value of the tree before it is typed.
+
+use std::path::PathBuf;
+
+use super::tree::{Kind, Node, parse_slice};
+use crate::scene::diagnostic::Diagnostic;
+use crate::scene::text::Text;
+
+/// The texts `path=value` that a scene's defines are read from and reported in.
+pub fn define_texts(defines: &[(String, String)]) -> Vec<Text> {
+    let text = |(path, value): &(String, String)| Text { file: PathBuf::from("-D"), text: format!("{path}={value}") };
+    defines.iter().map(text).collect()
+}
+
+/// Changes `root` as each define says, in order.
+///
+/// `texts` are those of [`define_texts`] for the same `defines`. A value may be any RON, and a bare word where a string is meant.
+pub fn apply_defines<'a>(
+    root: &mut Node<'a>,
+    defines: &[(String, String)],
+    texts: &'a [Text],
+) -> Result<(), Diagnostic> {
+    for ((path, _), text) in defines.iter().zip(texts) {
+        let (path, value) = text.text.split_at(path.len());
+        let value = parse_slice(text, &value[1..]).map_err(|error| about(path, error))?;
+        let segments = segments(text, path)?;
+        set(root, text, &segments, value).map_err(|error| about(path, error))?;
+    }
+    Ok(())
+}
+
+/// Says which define an error is about.
+fn about(path: &str, error: Diagnostic) -> Diagnostic {
+    Diagnostic { message: format!("in the define `{path}`: {}", error.message), ..error }
+}
+
+/// The parts of a path, at its dots; a part in double quotes may hold dots itself.
+fn segments<'a>(text: &'a Text, path: &'a str) -> Result<Vec<&'a str>, Diagnostic> {
+    let mut list = Vec::new();
+    let mut rest = path;
+    loop {
+        let (segment, after) = match rest.strip_prefix('"').and_then(|quoted| quoted.split_once('"')) {
+            Some((segment, after)) => (segment, after),
+            None => rest.split_at(rest.find('.').unwrap_or(rest.len())),
+        };
+        if segment.is_empty() {
+            let message = format!("`{path}` is no field path");
+            return Err(text.error(rest, message).help("write it like materials.teapot.ns=64"));
+        }
+        list.push(segment);
+        match after.strip_prefix('.') {
+            Some(next) => rest = next,
+            None if after.is_empty() => return Ok(list),
+            None => return Err(text.error(after, "expected `.` or the end of the path here")),
+        }
+    }
+}
+
+/// Puts `value` at the path below `node`; fields that are not there are added, items must be.
+fn set<'a>(node: &mut Node<'a>, text: &'a Text, path: &[&'a str], value: Node<'a>) -> Result<(), Diagnostic> {
+    let Some((segment, rest)) = path.split_first() else {
+        *node = value;
+        return Ok(());
+    };
+    if let Kind::Variant(_, Some(content)) = &mut node.kind {
+        return set(content, text, path, value);
+    }
+    if matches!(&node.kind, Kind::Items(items) if items.is_empty()) {
+        node.kind = Kind::Fields(Vec::new());
+    }
+    match &mut node.kind {
+        Kind::Fields(fields) => {
+            let at = fields.iter().position(|(name, ..)| name == segment).unwrap_or_else(|| {
+                let empty = Node { text, source: segment, kind: Kind::Fields(Vec::new()) };
+                fields.push(((*segment).to_owned(), segment, empty));
+                fields.len() - 1
+            });
+            set(&mut fields[at].2, text, rest, value)
+        }
+        Kind::Items(items) => {
+            let count = items.len();
+            match segment.parse::<usize>().ok().and_then(|at| items.get_mut(at)) {
+                Some(item) => set(item, text, rest, value),
+                None => Err(text.error(segment, format!("`{segment}` is none of the items 0 to {}", count - 1))),
+            }
+        }
+        _ => Err(text.error(segment, format!("there is no field `{segment}` in {}", node.describe()))),
+    }
+}

@@ -1,0 +1,113 @@
+//! Text files in memory, and the places in them.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use super::diagnostic::{Diagnostic, Severity};
+
+/// A file's text, or a define of the command line, that messages can point into.
+#[derive(Debug)]
+pub struct Text {
+    /// The file as it was named, or `-D`.
+    pub file: PathBuf,
+    pub text: String,
+}
+
+impl Text {
+    /// Reads a UTF-8 file of at most `limit` bytes, without its byte order mark.
+    pub fn read(file: &Path, limit: u64) -> Result<Self, Diagnostic> {
+        let mut bytes = Vec::new();
+        let handle = open(file, limit)?;
+        handle.take(limit + 1).read_to_end(&mut bytes).map_err(|error| cannot_read(file, &error))?;
+        if bytes.len() as u64 > limit {
+            return Err(too_large(file, bytes.len() as u64, limit));
+        }
+        Self::from_bytes(file, bytes)
+    }
+
+    /// Takes a file's bytes, which must be UTF-8.
+    pub fn from_bytes(file: &Path, bytes: Vec<u8>) -> Result<Self, Diagnostic> {
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let valid = error.utf8_error().valid_up_to();
+            not_utf8(file, error.as_bytes(), valid)
+        })?;
+        let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
+        Ok(Self { file: file.to_path_buf(), text })
+    }
+
+    /// An error about `part`, a slice of this text.
+    pub fn error(&self, part: &str, message: impl Into<String>) -> Diagnostic {
+        self.at(Severity::Error, part, message)
+    }
+
+    /// A message about `part`, a slice of this text.
+    pub fn at(&self, severity: Severity, part: &str, message: impl Into<String>) -> Diagnostic {
+        let offset = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize).min(self.text.len());
+        let before = &self.text[..floor_char_boundary(&self.text, offset)];
+        let start = before.rfind('\n').map_or(0, |at| at + 1);
+        let line = before.matches('\n').count() as u32 + 1;
+        let text = self.text[start..].lines().next().unwrap_or_default();
+        Diagnostic::at(severity, &self.file, line, text, offset - start, message)
+    }
+
+    /// An error at a line and column, both from 1, columns in characters.
+    pub fn error_at(&self, line: usize, column: usize, message: impl Into<String>) -> Diagnostic {
+        let text = self.text.split('\n').nth(line.saturating_sub(1)).unwrap_or_default();
+        let text = text.strip_suffix('\r').unwrap_or(text);
+        let offset = text.char_indices().nth(column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
+        Diagnostic::at(Severity::Error, &self.file, line as u32, text, offset, message)
+    }
+}
+
+/// Opens a regular file of at most `limit` bytes for reading.
+pub fn open(file: &Path, limit: u64) -> Result<std::fs::File, Diagnostic> {
+    let metadata = std::fs::metadata(file).map_err(|error| cannot_read(file, &error))?;
+    if metadata.is_dir() {
+        let message = "this is a folder, not a file";
+        return Err(Diagnostic::file(Severity::Error, file, message).help("name a file in it"));
+    }
+    if metadata.len() > limit {
+        return Err(too_large(file, metadata.len(), limit));
+    }
+    std::fs::File::open(file).map_err(|error| cannot_read(file, &error))
+}
+
+/// Why a file can't be read, and what to do.
+pub fn cannot_read(file: &Path, error: &std::io::Error) -> Diagnostic {
+    let (message, help) = match error.kind() {
+        std::io::ErrorKind::NotFound => {
+            ("there is no such file".to_owned(), "check the path; it is relative to the file that names it")
+        }
+        std::io::ErrorKind::PermissionDenied => {
+            ("no permission to read this file".to_owned(), "change its permissions")
+        }
+        _ => (format!("cannot be read: {error}"), "check the path and the disk"),
+    };
+    Diagnostic::file(Severity::Error, file, message).help(help)
+}
+
+/// A file beyond its size limit.
+fn too_large(file: &Path, bytes: u64, limit: u64) -> Diagnostic {
+    let message = format!("too large: {bytes} bytes, where at most {limit} are read");
+    Diagnostic::file(Severity::Error, file, message).help("split it into several files")
+}
+
+/// The error for bytes that are no UTF-8, which `valid` bytes of are.
+pub fn not_utf8(file: &Path, bytes: &[u8], valid: usize) -> Diagnostic {
+    let before = &bytes[..valid];
+    let start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+    let line = before.iter().filter(|byte| **byte == b'\n').count() as u32 + 1;
+    let end = bytes[valid..].iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |at| valid + at);
+    let text = String::from_utf8_lossy(&bytes[start..end.min(start + 4096)]).into_owned();
+    let (message, help) = if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        ("this is UTF-16 text".to_owned(), "save it as UTF-8")
+    } else {
+        (format!("byte {:#04x} is not UTF-8 text", bytes[valid]), "is this a binary file? Save text as UTF-8")
+    };
+    Diagnostic::at(Severity::Error, file, line, &text, valid - start, message).help(help)
+}
+
+/// The greatest character boundary that is not beyond `offset`.
+fn floor_char_boundary(text: &str, offset: usize) -> usize {
+    (0..=offset).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+}

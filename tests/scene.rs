@@ -1,0 +1,311 @@
+//! Scene files: loading, defines, finding, applying.
+
+use std::path::{Path, PathBuf};
+
+use bevy_ecs::prelude::*;
+use glam::{DVec3, UVec2, Vec3};
+use lucerna::components::{
+    Active, Camera, Energy, Environment, Film, Geometry, Material, Name, Render, Transform, UsesMaterial,
+};
+use lucerna::scene::{Diagnostics, Loaded, SceneDescription, apply, check, find, load};
+
+/// A square of two triangles in a red material.
+const SQUARE: &str = "mtllib square.mtl\no square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\n";
+const SQUARE_MTL: &str = "newmtl red\nKd 0.8 0.1 0.1\n";
+
+const SCENE: &str = r#"(
+    models: [(path: "square.obj", transform: (translate: (1, 2, 3), rotate_z: 90.0, scale: 2))],
+    cameras: {
+        "front": (position: (0, 0, 5), look_at: (0, 0, 0), fov_y: 30),
+        "top": (position: (0, 5, 0), look_at: (0, 0, 0), up: (0, 0, -1)),
+    },
+    camera: "front",
+    film: (size: (64, 32), crop: (0, 16, 4, 8), exposure: 1.5),
+    render: (integrator: Bsdf, max_depth: 4, roulette: false, energy: AsWritten, seed: 7, spp: 8),
+    environment: Constant((0.5, 0.25, 1)),
+    materials: { "red": (ns: 32, ks: 0.5) },
+)"#;
+
+/// A folder with a scene and its model.
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, text) in files {
+        std::fs::write(folder.path().join(name), text).expect("a file");
+    }
+    folder
+}
+
+fn load_text(scene: &str, defines: &[(&str, &str)]) -> Result<Loaded, Diagnostics> {
+    let folder = folder(&[("square.obj", SQUARE), ("square.mtl", SQUARE_MTL), ("scene.ron", scene)]);
+    let defines: Vec<(String, String)> = defines.iter().map(|(k, v)| (k.to_string(), v.to_string())).collect();
+    load(&folder.path().join("scene.ron"), &defines)
+}
+
+fn description(scene: &str) -> SceneDescription {
+    load_text(scene, &[]).unwrap_or_else(|errors| panic!("{errors}")).description
+}
+
+#[test]
+fn every_field_arrives() {
+    let loaded = load_text(SCENE, &[]).unwrap_or_else(|errors| panic!("{errors}"));
+    assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
+    let names: Vec<_> = loaded.files.iter().map(|file| file.file_name().unwrap().to_str().unwrap()).collect();
+    assert_eq!(names, ["scene.ron", "square.obj", "square.mtl"]);
+    let scene = loaded.description;
+    assert_eq!(scene.name, "scene");
+    assert_eq!(scene.active, "front");
+    assert_eq!(scene.cameras["front"].fov_y, 30.0);
+    assert_eq!(scene.cameras["top"].up, DVec3::NEG_Z);
+    assert_eq!(scene.cameras["front"].up, DVec3::Y);
+    assert_eq!(scene.film.size, UVec2::new(64, 32));
+    assert_eq!(scene.film.window().min, UVec2::new(0, 4));
+    assert_eq!(scene.film.window().max, UVec2::new(16, 8));
+    assert_eq!(scene.film.exposure, 1.5);
+    assert_eq!(scene.render.max_depth, 4);
+    assert!(!scene.render.roulette);
+    assert_eq!(scene.render.energy, Energy::AsWritten);
+    assert_eq!((scene.render.seed, scene.render.spp), (7, 8));
+    assert_eq!(scene.environment, Some(Environment::Constant(Vec3::new(0.5, 0.25, 1.0))));
+    let material = &scene.materials["square:red"];
+    assert_eq!((material.kd, material.ks, material.ns), (Vec3::new(0.8, 0.1, 0.1), Vec3::splat(0.5), 32.0));
+    let mesh = &scene.meshes["square/square/0"];
+    assert_eq!(mesh.material, "square:red");
+    // Scaled by 2, turned by 90 degrees about z, moved: (1, 0, 0) -> (0, 2, 0) -> (1, 4, 3).
+    let corner = mesh.transform.0.transform_point3(DVec3::X);
+    assert!((corner - DVec3::new(1.0, 4.0, 3.0)).length() < 1e-12, "{corner}");
+}
+
+#[test]
+fn an_obj_file_is_a_scene_of_its_own() {
+    let folder = folder(&[("square.obj", SQUARE), ("square.mtl", SQUARE_MTL)]);
+    let defines = [("render.spp".to_owned(), "3".to_owned())];
+    let scene = load(&folder.path().join("square.obj"), &defines).unwrap().description;
+    assert_eq!(scene.name, "square");
+    assert_eq!(scene.environment, Some(Environment::Constant(Vec3::ONE)));
+    assert_eq!(scene.render.spp, 3);
+    let camera = scene.cameras[&scene.active];
+    // All of the sphere around the box is within the view's cone.
+    let radius = 0.5_f64.sqrt();
+    let sine = radius / (camera.position - DVec3::new(0.5, 0.5, 0.0)).length();
+    assert!(sine <= (camera.fov_y.to_radians() / 2.0).sin() + 1e-12);
+}
+
+#[test]
+fn defines_change_fields_by_path() {
+    let defines = [
+        ("materials.red.ns", "64"),
+        ("materials.\"square:red\".kd", "(1, 0, 0)"),
+        ("film.size", "(256, 128)"),
+        ("camera", "top"),
+        ("render.spp", "16"),
+        ("render.energy", "Preserve"),
+        ("environment", "Constant(0)"),
+        ("models.0.transform.scale", "(1, 1, 1)"),
+        ("cameras.top.fov_y", "10"),
+        ("film.crop", "None"),
+    ];
+    let scene = load_text(SCENE, &defines).unwrap_or_else(|errors| panic!("{errors}")).description;
+    assert_eq!(scene.materials["square:red"].ns, 64.0);
+    assert_eq!(scene.materials["square:red"].kd, Vec3::X);
+    assert_eq!(scene.film, Film { size: UVec2::new(256, 128), crop: None, exposure: 1.5 });
+    assert_eq!(scene.active, "top");
+    assert_eq!((scene.render.spp, scene.render.energy), (16, Energy::Preserve));
+    assert_eq!(scene.environment, Some(Environment::Constant(Vec3::ZERO)));
+    assert_eq!(scene.cameras["top"].fov_y, 10.0);
+    let determinant = scene.meshes["square/square/0"].transform.0.matrix3.determinant();
+    assert!((determinant - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn models_of_one_name_are_told_apart_and_share_their_geometry() {
+    let text = r#"(models: [(path: "square.obj"), (path: "square.obj"), (path: "square.obj", name: "third")])"#;
+    let scene = description(text);
+    let names: Vec<&str> = scene.meshes.keys().map(String::as_str).collect();
+    assert_eq!(names, ["square-2/square/0", "square/square/0", "third/square/0"]);
+    let geometry = |name: &str| scene.meshes[name].geometry.clone();
+    assert!(std::sync::Arc::ptr_eq(&geometry(names[0]), &geometry(names[2])));
+    assert_eq!(scene.materials.len(), 3);
+}
+
+/// What is wrong, where it is reported, and a part of the message.
+const WRONG: &[(&str, u32, u32, &str)] = &[
+    ("(film: (sise: (1, 1)))", 1, 9, "unknown field `film.sise`"),
+    ("(film: (size: (0, 1)))", 1, 15, "film.size: expected a whole number from 1 to 16384"),
+    ("(film: (size: (8, 8), crop: (0, 9, 0, 8)))", 1, 29, "x1 <= 8"),
+    ("(film: (size: (8, 8, 8)))", 1, 15, "expected 2 whole numbers in parentheses, found 3 values"),
+    ("(film: 3)", 1, 8, "film: expected fields, as in (name: value), found `3`"),
+    ("(\n  render: (spp: -1),\n)", 2, 17, "render.spp: expected a whole number"),
+    ("(render: (spp: 1.5))", 1, 16, "render.spp"),
+    ("(render: (integrator: Path))", 1, 23, "expected Bsdf, found `Path`"),
+    ("(render: (energy: preserve))", 1, 19, "expected Preserve or AsWritten"),
+    ("(render: (roulette: 1))", 1, 21, "true or false"),
+    ("(environment: Map(path: \"a.exr\"))", 1, 15, "not supported yet"),
+    ("(environment: Constant((1, 2)))", 1, 15, "expected 3 numbers"),
+    ("(environment: Constant(NaN))", 1, 15, "found `NaN`"),
+    ("(environment: Constant(-1))", 1, 15, "from 0 to"),
+    ("(cameras: { \"a\": (position: (0, 0, 0)) })", 1, 18, "cameras.a: the field `look_at` is missing"),
+    ("(cameras: { \"a\": (position: (0, 0, 0), look_at: (0, 0, 0)) })", 1, 18, "the same point"),
+    ("(cameras: { \"a\": (position: (0, 1, 0), look_at: (0, 0, 0)) })", 1, 18, "along the view"),
+    ("(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), fov_y: 180) })", 1, 67, "fov_y"),
+    ("(cameras: { \"a\": (position: (0, 0, inf), look_at: (0, 0, 0)) })", 1, 29, "found `inf`"),
+    (
+        "(cameras: { \"front\": (position: (0, 0, 1), look_at: (0, 0, 0)) }, camera: \"fornt\")",
+        1,
+        75,
+        "did you mean `front`",
+    ),
+    ("(models: [(path: \"nothing.obj\")])", 1, 18, "there is no file"),
+    ("(models: [(path: \"scene.ron\")])", 1, 18, "is no .obj file"),
+    ("(models: [(name: \"a\")])", 1, 11, "the field `path` is missing"),
+    ("(models: [(path: \"square.obj\", transform: (scale: 0))])", 1, 43, "flattens"),
+    ("(models: [(path: \"square.obj\", transform: (scale: (1, 1))))])", 1, 0, ""),
+    ("(models: [(path: \"square.obj\", transform: (translate: (1e12, 0, 0), scale: 1e9))])", 1, 18, "reaches beyond"),
+    ("(models: [(path: \"square.obj\")], materials: { \"rde\": (ns: 1) })", 1, 54, "no model has a material `rde`"),
+    ("(models: [(path: \"square.obj\")], materials: { \"red\": (shininess: 1) })", 1, 55, "materials.red.shininess"),
+    ("(materials: { \"red\": (ns: 1e9) })", 1, 27, "materials.red.ns: expected a number from 0 to 100000"),
+    ("(film: (), film: ())", 1, 12, "given twice"),
+    ("(film: (size: (1, 1))", 1, 22, "expected"),
+    ("", 1, 1, "unexpected end"),
+    ("(film: (size: (1, \"a\")))", 1, 15, "found `\"a\"`"),
+];
+
+#[test]
+fn wrong_scene_files_are_reported_where_they_are_wrong() {
+    for (text, line, column, message) in WRONG {
+        let Err(errors) = load_text(text, &[]) else { panic!("taken: {text}") };
+        let found = &errors.list[0];
+        assert!(found.to_string().contains(message), "{text}\n{found}");
+        if *column > 0 {
+            assert_eq!((found.line, found.column), (*line, *column), "{text}\n{found}");
+        }
+        assert!(found.file.ends_with("scene.ron"));
+    }
+}
+
+#[test]
+fn wrong_defines_are_named() {
+    let wrong = [
+        ("materials.red.ns", "abc", 18, "materials.red.ns: expected a number, found `abc`"),
+        ("materials.red.nss", "1", 15, "unknown field `materials.red.nss`"),
+        ("materials.rde.ns", "1", 11, "no model has a material `rde`"),
+        ("flim.size", "(1, 1)", 1, "did you mean `film`"),
+        ("camera.x", "1", 8, "in the define `camera.x`: there is no field `x`"),
+        ("models.7.path", "1", 8, "none of the items 0 to 0"),
+        ("film.size", "(1, ", 15, "in the define `film.size`"),
+        ("", "1", 1, "is no field path"),
+        ("film..size", "1", 6, "is no field path"),
+    ];
+    for (path, value, column, message) in wrong {
+        let Err(errors) = load_text(SCENE, &[(path, value)]) else { panic!("taken: {path}={value}") };
+        let found = &errors.list[0];
+        assert!(found.to_string().contains(message), "{path}\n{found}");
+        assert_eq!((found.file.as_path(), found.line, found.column), (Path::new("-D"), 1, column), "{found}");
+    }
+}
+
+#[test]
+fn all_errors_of_a_scene_are_reported_at_once() {
+    let errors = load_text("(film: (size: 1), render: (spp: 0), flim: 1)", &[]).unwrap_err();
+    assert_eq!(errors.list.len(), 3, "{errors}");
+}
+
+#[test]
+fn scenes_are_found_by_name_and_path() {
+    let folder = folder(&[("a.ron", "()")]);
+    let path = folder.path().join("a.ron");
+    assert_eq!(find(path.to_str().unwrap()).unwrap(), path);
+    let missing = find("no-such-scene-anywhere").unwrap_err();
+    assert!(missing.to_string().contains("there is no scene `no-such-scene-anywhere`"), "{missing}");
+    let missing = find("no/such/file.ron").unwrap_err();
+    assert!(missing.to_string().contains("there is no such file"), "{missing}");
+    assert!(find(folder.path().to_str().unwrap()).unwrap_err().to_string().contains("folder"));
+}
+
+#[test]
+fn check_reads_folders_and_says_each_thing_once() {
+    let folder = folder(&[
+        ("a.ron", "(models: [(path: \"b.obj\")])"),
+        ("b.obj", "v 0 0 nan\nf 1 1 1\n"),
+        ("c.mtl", "newmtl a\nKdd 1 1 1\nKd 1 1 1\n"),
+        ("notes.txt", "not an asset"),
+    ]);
+    std::fs::create_dir(folder.path().join("sub")).unwrap();
+    std::fs::write(folder.path().join("sub/d.ron"), "(flim: 1)").unwrap();
+    let checked = check(folder.path());
+    assert_eq!(checked.files.len(), 4);
+    let found: Vec<String> = checked.diagnostics.list.iter().map(|found| found.to_string()).collect();
+    assert_eq!(found.iter().filter(|found| found.contains("b.obj:1:7: error: a vertex can't be at NaN")).count(), 1);
+    assert!(found.iter().any(|found| found.contains("c.mtl:2:1: warning: unknown statement `Kdd`")), "{found:?}");
+    assert!(found.iter().any(|found| found.contains("d.ron:1:2: error: unknown field `flim`")), "{found:?}");
+    let missing = check(&PathBuf::from("nothing.obj"));
+    assert!(missing.diagnostics.has_errors());
+    assert!(check(&folder.path().join("notes.txt")).diagnostics.has_errors());
+}
+
+/// Entities with a component that changed since the last call.
+fn changes<T: Component>(world: &mut World) -> usize {
+    let mut query = world.query_filtered::<Entity, Or<(Changed<T>, Added<T>)>>();
+    query.iter(world).count()
+}
+
+fn all_changes(world: &mut World) -> [usize; 10] {
+    let counts = [
+        changes::<Name>(world),
+        changes::<Geometry>(world),
+        changes::<Transform>(world),
+        changes::<UsesMaterial>(world),
+        changes::<Material>(world),
+        changes::<Camera>(world),
+        changes::<Active>(world),
+        changes::<Film>(world),
+        changes::<Render>(world),
+        changes::<Environment>(world),
+    ];
+    world.clear_trackers();
+    counts
+}
+
+#[test]
+fn applying_changes_what_differs_and_nothing_else() {
+    let mut world = World::new();
+    let scene = description(SCENE);
+    apply(&mut world, &scene);
+    // Names: mesh, material, two cameras, film, environment.
+    assert_eq!(all_changes(&mut world), [6, 1, 1, 1, 1, 2, 1, 1, 1, 1]);
+    apply(&mut world, &scene);
+    assert_eq!(all_changes(&mut world), [0; 10], "the same description");
+    apply(&mut world, &description(SCENE));
+    assert_eq!(all_changes(&mut world), [0; 10], "an equal description read again");
+
+    let mut edited = scene.clone();
+    edited.materials.get_mut("square:red").unwrap().ns = 1.0;
+    apply(&mut world, &edited);
+    assert_eq!(all_changes(&mut world), [0, 0, 0, 0, 1, 0, 0, 0, 0, 0]);
+    edited.active = "top".into();
+    apply(&mut world, &edited);
+    assert_eq!(all_changes(&mut world), [0, 0, 0, 0, 0, 0, 1, 0, 0, 0]);
+    let mut actives = world.query_filtered::<&Name, With<Active>>();
+    assert_eq!(actives.iter(&world).map(Name::as_str).collect::<Vec<_>>(), ["top"]);
+    edited.environment = None;
+    edited.render.spp = 9;
+    apply(&mut world, &edited);
+    assert_eq!(all_changes(&mut world), [0, 0, 0, 0, 0, 0, 0, 0, 1, 0]);
+    assert_eq!(world.query::<&Environment>().iter(&world).count(), 0);
+}
+
+#[test]
+fn applying_another_scene_leaves_nothing_of_the_first() {
+    let mut world = World::new();
+    apply(&mut world, &description(SCENE));
+    let kept = world.query_filtered::<Entity, With<Film>>().single(&world).unwrap();
+    world.spawn((Name::new("stray"), Material::default()));
+    world.spawn((Name::new("unrelated"),));
+    let other = description(r#"(models: [(path: "square.obj", name: "other")])"#);
+    apply(&mut world, &other);
+    let mut names: Vec<String> = world.query::<&Name>().iter(&world).map(|name| name.to_string()).collect();
+    names.sort();
+    assert_eq!(names, ["default", "film", "other/square/0", "other:red", "unrelated"]);
+    assert_eq!(world.query_filtered::<Entity, With<Film>>().single(&world).unwrap(), kept);
+    let used = world.query::<&UsesMaterial>().single(&world).unwrap().0;
+    assert_eq!(world.get::<Name>(used).unwrap().as_str(), "other:red");
+}
