@@ -10,4 +10,5 @@ mod scene;
 mod shader;
 mod shader_errors;
 mod shader_fuzz;
+mod save;
 mod support;

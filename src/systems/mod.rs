@@ -1,1 +1,2 @@
 //! One file a phase of the schedule.
+pub mod save;

@@ -1,0 +1,188 @@
+//! Writes a finished film as PNG, EXR or JSON. A file appears whole or not at all.
+//!
+//! Plain functions, no system: saving reads what the engine handed out, and never touches the world.
+
+use std::io::{BufWriter, Seek, Write};
+use std::path::{Path, PathBuf};
+
+use exr::image::{Encoding, Image, Layer, SpecificChannels};
+use exr::math::Vec2;
+use exr::meta::attribute::{AttributeValue, IntegerBounds, Text};
+use exr::meta::header::LayerAttributes;
+use glam::UVec2;
+
+use crate::components::Crop;
+
+/// What can be written about a render.
+#[derive(Clone, Copy, Debug)]
+pub struct Picture<'a> {
+    /// The whole picture, pixels.
+    pub size: UVec2,
+    /// The rendered rectangle within it.
+    pub window: Crop,
+    /// Linear Rec.709 radiance of the window, row by row from the top.
+    pub linear: &'a [[f32; 3]],
+    /// The window as it is shown: sRGB, 8 bits, the fourth is ignored.
+    pub display: &'a [[u8; 4]],
+    /// What is needed to repeat the render, as keys and values; written into PNG and EXR.
+    pub metadata: &'a [(&'static str, String)],
+    /// The report: the content of a JSON output.
+    pub report: &'a serde_json::Value,
+}
+
+/// A kind of file, chosen by its extension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// What the display pass made, 8-bit sRGB.
+    Png,
+    /// Linear 32-bit floats.
+    Exr,
+    /// The report alone.
+    Json,
+}
+
+/// A file to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Output {
+    /// Where, as the user named it.
+    pub path: PathBuf,
+    pub kind: Kind,
+}
+
+/// Why a file could not be written. Each names the file and says what to do.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum SaveError {
+    #[error("{}: the extension says nothing that can be written", .0.display())]
+    #[diagnostic(help("end the name in .png, .exr or .json"))]
+    Extension(PathBuf),
+    #[error("{}: is a folder", .0.display())]
+    #[diagnostic(help("name a file in it"))]
+    IsFolder(PathBuf),
+    #[error("{}: can't make the folder: {source}", folder.display())]
+    #[diagnostic(help("choose another place with -o FILE"))]
+    Folder { folder: PathBuf, source: std::io::Error },
+    #[error("{}: can't write: {source}", path.display())]
+    #[diagnostic(help("choose another place with -o FILE, or make room there"))]
+    Write { path: PathBuf, source: std::io::Error },
+}
+
+impl Output {
+    /// Chooses the kind by the extension, in either case of letters.
+    pub fn new(path: impl Into<PathBuf>) -> Result<Self, SaveError> {
+        let path = path.into();
+        let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
+        let kind = match extension.as_deref() {
+            Some("png") => Kind::Png,
+            Some("exr") => Kind::Exr,
+            Some("json") => Kind::Json,
+            _ => return Err(SaveError::Extension(path)),
+        };
+        Ok(Self { path, kind })
+    }
+
+    /// Makes missing folders and tries whether a file can be written there, so that a long render can't end in a refusal.
+    pub fn prepare(&self) -> Result<(), SaveError> {
+        if self.path.is_dir() {
+            return Err(SaveError::IsFolder(self.path.clone()));
+        }
+        let folder = self.folder();
+        std::fs::create_dir_all(folder).map_err(|source| SaveError::Folder { folder: folder.to_path_buf(), source })?;
+        self.temporary().map(drop).map_err(|source| self.failed(source))
+    }
+
+    /// Writes the file under a temporary name beside its place, then renames it.
+    pub fn write(&self, picture: &Picture) -> Result<(), SaveError> {
+        let folder = self.folder();
+        std::fs::create_dir_all(folder).map_err(|source| SaveError::Folder { folder: folder.to_path_buf(), source })?;
+        self.write_whole(picture).map_err(|source| self.failed(source))
+    }
+
+    fn write_whole(&self, picture: &Picture) -> std::io::Result<()> {
+        let file = self.temporary()?;
+        let mut out = BufWriter::new(file.as_file());
+        match self.kind {
+            Kind::Png => write_png(picture, &mut out)?,
+            Kind::Exr => write_exr(picture, &mut out)?,
+            Kind::Json => {
+                serde_json::to_writer_pretty(&mut out, picture.report)?;
+                out.write_all(b"\n")?;
+            }
+        }
+        out.flush()?;
+        drop(out);
+        file.as_file().sync_data()?;
+        file.persist(&self.path).map_err(|failed| failed.error)?;
+        Ok(())
+    }
+
+    /// A file of another name in the same folder, removed unless it is renamed. Others may read it, as far as the user's
+    /// mask of permissions says.
+    fn temporary(&self) -> std::io::Result<tempfile::NamedTempFile> {
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".lucerna-").suffix(".part");
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        builder.tempfile_in(self.folder())
+    }
+
+    fn folder(&self) -> &Path {
+        self.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+    }
+
+    fn failed(&self, source: std::io::Error) -> SaveError {
+        SaveError::Write { path: self.path.clone(), source }
+    }
+}
+
+/// 8-bit sRGB of the window, with the metadata as text.
+fn write_png(picture: &Picture, out: &mut impl Write) -> std::io::Result<()> {
+    let size = picture.window.size();
+    let mut encoder = png::Encoder::new(out, size.x, size.y);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    for (key, value) in picture.metadata {
+        let (key, value) = ((*key).to_owned(), value.clone());
+        // A tEXt chunk is Latin-1; names of files need not be.
+        let added =
+            if value.is_ascii() { encoder.add_text_chunk(key, value) } else { encoder.add_itxt_chunk(key, value) };
+        added.map_err(std::io::Error::from)?;
+    }
+    let mut writer = encoder.write_header()?;
+    let pixels: Vec<u8> = picture.display.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect();
+    writer.write_image_data(&pixels)?;
+    writer.finish()?;
+    Ok(())
+}
+
+/// Linear 32-bit floats, R, G and B, losslessly compressed. A crop is the data window within the whole picture's
+/// display window. The metadata are one text attribute, `lucerna`: a JSON object in UTF-8. (Several attributes would be
+/// written in the order of a hash map, another one in each run.)
+fn write_exr(picture: &Picture, out: &mut (impl Write + Seek)) -> std::io::Result<()> {
+    let size = picture.window.size();
+    let width = size.x as usize;
+    let pixel = |at: Vec2<usize>| {
+        let [r, g, b] = picture.linear[at.y() * width + at.x()];
+        (r, g, b)
+    };
+    let mut attributes = LayerAttributes::default();
+    attributes.layer_position = Vec2(signed(picture.window.min.x), signed(picture.window.min.y));
+    attributes.software_name = Some(Text::from(concat!("Lucerna ", env!("CARGO_PKG_VERSION"))));
+    let metadata: serde_json::Map<_, _> =
+        picture.metadata.iter().map(|(key, value)| ((*key).to_owned(), value.as_str().into())).collect();
+    let text = serde_json::Value::Object(metadata).to_string();
+    attributes.other.insert(Text::from("lucerna"), AttributeValue::Text(Text::from_slice_unchecked(text.as_bytes())));
+    let channels = SpecificChannels::rgb(pixel);
+    let layer = Layer::new((width, size.y as usize), attributes, Encoding::SMALL_LOSSLESS, channels);
+    let mut image = Image::from_layer(layer);
+    image.attributes.display_window = IntegerBounds::new((0, 0), (picture.size.x as usize, picture.size.y as usize));
+    exr::image::write::WritableImage::write(&image).to_buffered(out).map_err(|error| match error {
+        exr::error::Error::Io(source) => source,
+        other => std::io::Error::other(other),
+    })
+}
+
+/// Pixel coordinates are at most 16,384.
+fn signed(coordinate: u32) -> i32 {
+    i32::try_from(coordinate).unwrap_or(i32::MAX)
+}
