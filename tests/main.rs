@@ -11,4 +11,5 @@ mod save;
 mod shader;
 mod shader_errors;
 mod shader_fuzz;
+mod sort;
 mod support;

@@ -1,7 +1,8 @@
 //! The radix sort, stage by stage as on the GPU, and a plain stable sort as the judge of both.
 
 use crate::layout::sort::{
-    SORT_BINS, SORT_DIGITS, SORT_IN_BACK, SORT_IN_FRONT, SORT_MOST_GROUPS, SORT_TILE, SortDigit, SortPlan, tiles,
+    SORT_BINS, SORT_DIGITS, SORT_IN_BACK, SORT_IN_FRONT, SORT_MOST_GROUPS, SORT_TILE, SortDigit, SortPlan, scan_groups,
+    tiles,
 };
 
 /// Bits `8 * digit .. 8 * digit + 8` of a key.
@@ -28,7 +29,7 @@ pub fn plan(keys: &[u64]) -> SortPlan {
         entry.skipped = 0;
         [entry.tiles_x, entry.tiles_y, entry.tiles_z] =
             [tiles.min(SORT_MOST_GROUPS), tiles.div_ceil(SORT_MOST_GROUPS), 1];
-        [entry.bins_x, entry.bins_y, entry.bins_z] = [SORT_BINS, 1, 1];
+        [entry.bins_x, entry.bins_y, entry.bins_z] = [scan_groups(tiles), 1, 1];
         plan.digits_run += 1;
         plan.result = SORT_IN_FRONT + SORT_IN_BACK - plan.result;
     }

@@ -18,6 +18,8 @@ gpu_consts! {
     pub const SORT_LANES: u32 = 16;
     /// Counters that each thread of the scan holds.
     pub const SORT_SCAN_ITEMS: u32 = 8;
+    /// Up to so many tiles, that many threads scan a bin's counters, else a workgroup. A divisor of `SORT_THREADS`.
+    pub const SORT_FEW_TILES: u32 = 32;
     /// Most workgroups in one dimension that every device takes.
     pub const SORT_MOST_GROUPS: u32 = 65535;
 
@@ -58,7 +60,7 @@ gpu_struct! {
         pub tiles_z: u32,
         /// Which buffers are read, as `SortPlan::result`; the others are written.
         pub source: u32,
-        /// Workgroups of scan along x, one a bin. 0 if skipped.
+        /// Workgroups of scan along x, see [`scan_groups`]. 0 if skipped.
         pub bins_x: u32,
         /// Along y, 1.
         pub bins_y: u32,
@@ -84,4 +86,9 @@ gpu_struct! {
 /// Tiles of a sort of `count` pairs.
 pub const fn tiles(count: u32) -> u32 {
     count.div_ceil(SORT_TILE)
+}
+
+/// Workgroups that scan the counters of so many tiles.
+pub const fn scan_groups(tiles: u32) -> u32 {
+    if tiles <= SORT_FEW_TILES { SORT_BINS * SORT_FEW_TILES / SORT_THREADS } else { SORT_BINS }
 }

@@ -9,7 +9,7 @@
 use std::mem::{offset_of, size_of};
 
 use super::{Binding, Pass, Recording, Shape, Size};
-use crate::layout::sort::{SORT_BINS, SORT_DIGITS, SortDigit, SortParams, SortPlan, tiles};
+use crate::layout::sort::{SORT_BINS, SORT_DIGITS, SORT_FEW_TILES, SortDigit, SortParams, SortPlan, tiles};
 
 const KEYS: &str = "array<vec2<u32>>";
 const WORDS: &str = "array<u32>";
@@ -72,6 +72,9 @@ pub static SORT_SCAN: Pass = Pass {
     shape: Shape::Indirect,
 };
 
+/// The same, for at most [`SORT_FEW_TILES`] tiles.
+pub static SORT_SCAN_FEW: Pass = Pass { name: "sort scan few", entry: "scan_few", ..SORT_SCAN };
+
 /// Moves the pairs to their places by a digit.
 pub static SORT_SCATTER: Pass = Pass {
     name: "sort scatter",
@@ -127,11 +130,12 @@ pub fn record(recording: &mut Recording, count: u32) {
     let params = |digit| SortParams { count, tiles: tiles(count), digit };
     recording.run(&SORT_AGREE, Size::Groups([tiles(count), 1, 1])).params(&params(0));
     recording.run(&SORT_PLAN, Size::Groups([1, 1, 1])).params(&params(0));
+    let scan = if tiles(count) <= SORT_FEW_TILES { &SORT_SCAN_FEW } else { &SORT_SCAN };
     for digit in 0..SORT_DIGITS {
         let on_tiles = words_of(digit, offset_of!(SortDigit, tiles_x));
         let on_bins = words_of(digit, offset_of!(SortDigit, bins_x));
         recording.run(&SORT_COUNT, on_tiles).params(&params(digit));
-        recording.run(&SORT_SCAN, on_bins).params(&params(digit));
+        recording.run(scan, on_bins).params(&params(digit));
         recording.run(&SORT_SCATTER, on_tiles).params(&params(digit));
     }
 }

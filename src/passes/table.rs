@@ -9,6 +9,7 @@ pub static TABLE: &[&Pass] = &[
     &sort::SORT_PLAN,
     &sort::SORT_COUNT,
     &sort::SORT_SCAN,
+    &sort::SORT_SCAN_FEW,
     &sort::SORT_SCATTER,
     &sort::SORT_FILL,
     &build::BOUNDS,

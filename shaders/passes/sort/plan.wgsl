@@ -1,6 +1,6 @@
 // Decides which digits are sorted, from where to where, and how many workgroups that takes. One workgroup.
 
-import package::gen::{SortParams, SortPlan, SORT_THREADS, SORT_DIGITS, SORT_BINS, SORT_MOST_GROUPS};
+import package::gen::{SortParams, SortPlan, SORT_THREADS, SORT_DIGITS, SORT_BINS, SORT_MOST_GROUPS, SORT_FEW_TILES};
 import package::gen::{SORT_IN_FRONT, SORT_IN_BACK};
 import package::passes::sort::agreement::{NO_KEYS, merge, merge_over_workgroup};
 import package::passes::sort::digit::digit_of;
@@ -22,6 +22,8 @@ fn plan(@builtin(local_invocation_index) thread: u32) {
     // A bit differs where some key has it and not all have it.
     let differ = all.zw & ~all.xy;
     let rows = (params.tiles + SORT_MOST_GROUPS - 1u) / SORT_MOST_GROUPS;
+    let few = params.tiles <= SORT_FEW_TILES;
+    let scan_groups = select(SORT_BINS, SORT_BINS * SORT_FEW_TILES / SORT_THREADS, few);
     var source = SORT_IN_FRONT;
     var run = 0u;
     for (var digit = 0u; digit < SORT_DIGITS; digit++) {
@@ -31,7 +33,7 @@ fn plan(@builtin(local_invocation_index) thread: u32) {
         sort_plan.digits[digit].tiles_y = on * rows;
         sort_plan.digits[digit].tiles_z = on;
         sort_plan.digits[digit].source = source;
-        sort_plan.digits[digit].bins_x = on * SORT_BINS;
+        sort_plan.digits[digit].bins_x = on * scan_groups;
         sort_plan.digits[digit].bins_y = on;
         sort_plan.digits[digit].bins_z = on;
         sort_plan.digits[digit].skipped = 1u - on;

@@ -1,9 +1,13 @@
-// Exclusive prefix sums over the threads of a workgroup (Hillis and Steele 1986), two counters at once.
+// Exclusive prefix sums over the threads of a workgroup, two counters at once.
 
 import package::gen::SORT_THREADS;
 
-/// Two pages: each step reads one and writes the other, so that a step takes one barrier.
-var<workgroup> prefix_pages: array<vec2<u32>, 2u * SORT_THREADS>;
+/// Threads of a group, and groups of a workgroup. Two levels of plain sums take three barriers; steps that double, nine.
+const GROUP: u32 = 16u;
+const GROUPS: u32 = SORT_THREADS / GROUP;
+
+var<workgroup> prefix_values: array<vec2<u32>, SORT_THREADS>;
+var<workgroup> prefix_groups: array<vec2<u32>, GROUPS>;
 
 struct Prefix {
     /// Sum over the threads below this one.
@@ -12,19 +16,27 @@ struct Prefix {
     total: vec2<u32>,
 }
 
-/// Called by all threads of a workgroup, after a barrier since the call before.
+/// Called by all threads of a workgroup. It starts and ends so that it may be called again at once.
 fn prefix_over_workgroup(own: vec2<u32>, thread: u32) -> Prefix {
-    var sum = own;
-    var page = 0u;
-    prefix_pages[thread] = sum;
+    let lane = thread % GROUP;
+    let group = thread / GROUP;
+    prefix_values[thread] = own;
     workgroupBarrier();
-    for (var step = 1u; step < SORT_THREADS; step <<= 1u) {
-        if thread >= step {
-            sum += prefix_pages[page + thread - step];
-        }
-        page = SORT_THREADS - page;
-        prefix_pages[page + thread] = sum;
-        workgroupBarrier();
+    var before = vec2<u32>(0u);
+    for (var i = 0u; i < GROUP - 1u; i++) {
+        let value = prefix_values[group * GROUP + i];
+        before += select(vec2<u32>(0u), value, i < lane);
     }
-    return Prefix(sum - own, prefix_pages[page + SORT_THREADS - 1u]);
+    if lane == GROUP - 1u {
+        prefix_groups[group] = before + own;
+    }
+    workgroupBarrier();
+    var total = vec2<u32>(0u);
+    for (var i = 0u; i < GROUPS; i++) {
+        let value = prefix_groups[i];
+        before += select(vec2<u32>(0u), value, i < group);
+        total += value;
+    }
+    workgroupBarrier();
+    return Prefix(before, total);
 }

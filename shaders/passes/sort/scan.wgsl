@@ -1,6 +1,6 @@
-// Exclusive prefix sums of one digit's counts, tile by tile: a workgroup a bin. The sums over bins are left to scatter.
+// Exclusive prefix sums of one digit's counts, tile by tile. The sums over bins are left to scatter.
 
-import package::gen::{SortParams, SORT_THREADS, SORT_BINS, SORT_SCAN_ITEMS};
+import package::gen::{SortParams, SORT_THREADS, SORT_BINS, SORT_SCAN_ITEMS, SORT_FEW_TILES};
 import package::passes::sort::prefix::prefix_over_workgroup;
 @if(sort_census) import package::passes::sort::digit::take_census;
 
@@ -18,6 +18,7 @@ fn slot(index: u32) -> u32 {
     return index + index / 32u;
 }
 
+/// Any number of tiles: a workgroup a bin.
 @compute @workgroup_size(SORT_THREADS)
 fn scan(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) thread: u32) {
     let bin = group.x;
@@ -54,9 +55,36 @@ fn scan(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
             }
         }
         carry += prefix.total.x;
-        workgroupBarrier();
     }
     if thread == 0u {
         sort_totals[params.digit * SORT_BINS + bin] = carry;
+    }
+}
+
+var<workgroup> few: array<u32, SORT_THREADS>;
+
+/// At most SORT_FEW_TILES tiles: as many threads a bin, one a tile.
+@compute @workgroup_size(SORT_THREADS)
+fn scan_few(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) thread: u32) {
+    @if(sort_census) take_census(params.digit, 1u, thread);
+    let tile = thread % SORT_FEW_TILES;
+    let bin = (group.x * SORT_THREADS + thread) / SORT_FEW_TILES;
+    let here = bin * params.tiles + tile;
+    var own = 0u;
+    if tile < params.tiles {
+        own = sort_counts[here];
+    }
+    few[thread] = own;
+    workgroupBarrier();
+    var before = 0u;
+    for (var i = 0u; i < params.tiles; i++) {
+        let value = few[thread - tile + i];
+        before += select(0u, value, i < tile);
+    }
+    if tile < params.tiles {
+        sort_counts[here] = before;
+    }
+    if tile == params.tiles - 1u {
+        sort_totals[params.digit * SORT_BINS + bin] = before + own;
     }
 }
