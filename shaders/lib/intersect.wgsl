@@ -7,8 +7,8 @@
 import package::gen::{Ray};
 
 // What boxes grow by on every side, in units of the greatest coordinate of ray and scene. A triangle that passes the edge test lies
-// within 8 * 2^-24 * distance of the ray: a rounding of each sheared coordinate, and the error of 2.5 ulp that WGSL allows
-// in each of the two divisions behind it. Twice that leaves the roundings of the slabs themselves.
+// within 8 * 2^-24 * distance of the ray: the roundings of each sheared coordinate, and the error of 2.5 ulp that WGSL
+// allows in the reciprocal behind it. Twice that leaves the roundings of the slabs themselves.
 const SLAB_GROWTH: f32 = 9.5367431640625e-7;
 // Far planes move out by this factor, for the reciprocal's 2.5 ulp and the last rounding (Ize 2013).
 const FAR_GROWTH: f32 = 1.00000095367431640625;
@@ -58,11 +58,12 @@ fn prepare_query(ray: Ray, extent: f32) -> Query {
     let signed_least = select(vec3(-least), vec3(least), ray.direction >= vec3(0.0));
     let inverse = 1.0 / select(ray.direction, signed_least, abs(ray.direction) < vec3(least));
     let o = abs(ray.origin);
+    let along = 1.0 / d.z;
     let reach = vec3(max(max(o.x, o.y), o.z) + extent);
     return Query(
         ray.origin,
         ray.t_min,
-        vec3(d.xy / d.z, 1.0 / d.z),
+        vec3(d.xy * along, along),
         ray.t_max,
         inverse,
         axis,
@@ -149,11 +150,12 @@ struct SurfacePoint {
 }
 
 // The point of a triangle with weights b1 and b2 of its second and third corner, and the bound of its rounding errors:
-// gamma(7) times the sum of absolute terms (Pharr, Jakob, Humphreys: PBRT, 4th ed., section 6.8.5).
+// gamma(7) times the sum of absolute terms (Pharr, Jakob, Humphreys: PBRT, 4th ed., section 6.8.5), and as much again for
+// what the next ray's own test of this triangle rounds.
 fn surface_point(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, b1: f32, b2: f32) -> SurfacePoint {
     let b0 = 1.0 - b1 - b2;
     let position = b0 * a + b1 * b + b2 * c;
-    let error = 4.17232569e-7 * (abs(b0 * a) + abs(b1 * b) + abs(b2 * c));
+    let error = 8.34465139e-7 * (abs(b0 * a) + abs(b1 * b) + abs(b2 * c));
     return SurfacePoint(position, error);
 }
 

@@ -2,15 +2,41 @@
 
 use glam::{Vec2, Vec3, Vec3Swizzles};
 
+use super::morton::Bounds;
 use crate::layout::ray::Ray;
 
 const SLAB_GROWTH: f32 = 1.0 / 1048576.0;
 const FAR_GROWTH: f32 = 1.0 + 1.0 / 1048576.0;
 const LEAST_PART: f32 = 1.0 / (1u64 << 60) as f32;
 
+/// How a device rounds WGSL's `fma()`, which may be either.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fma {
+    /// Once, as a fused instruction does.
+    Fused,
+    /// The product and then the sum, as lavapipe does.
+    Unfused,
+}
+
+impl Fma {
+    /// a * b + c.
+    pub fn of(self, a: f32, b: f32, c: f32) -> f32 {
+        match self {
+            Fma::Fused => a.mul_add(b, c),
+            Fma::Unfused => a * b + c,
+        }
+    }
+
+    fn of_vectors(self, a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
+        Vec3::new(self.of(a.x, b.x, c.x), self.of(a.y, b.y, c.y), self.of(a.z, b.z, c.z))
+    }
+}
+
 /// What a ray needs for every box and triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Query {
+    /// The arithmetic of all that follows.
+    pub fma: Fma,
     pub origin: Vec3,
     pub t_min: f32,
     /// Shear and scale that turn the ray into the z axis, in permuted axes.
@@ -35,10 +61,6 @@ pub struct TriangleHit {
     pub b2: f32,
 }
 
-fn fma3(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
-    Vec3::new(a.x.mul_add(b.x, c.x), a.y.mul_add(b.y, c.y), a.z.mul_add(b.z, c.z))
-}
-
 /// The coordinates in an order that puts `axis` last and keeps the handedness.
 pub fn permute(v: Vec3, axis: usize) -> Vec3 {
     match axis {
@@ -61,7 +83,7 @@ pub fn largest_axis(d: Vec3) -> usize {
 }
 
 /// `extent` is the greatest coordinate of the scene's box. The direction is not zero.
-pub fn prepare_query(ray: &Ray, extent: f32) -> Query {
+pub fn prepare_query(fma: Fma, ray: &Ray, extent: f32) -> Query {
     let axis = largest_axis(ray.direction);
     let d = permute(ray.direction, axis);
     let least = d.z.abs() * LEAST_PART;
@@ -71,74 +93,77 @@ pub fn prepare_query(ray: &Ray, extent: f32) -> Query {
             (true, true) => least,
             (true, false) => -least,
         }));
+    let along = 1.0 / d.z;
     let reach = Vec3::splat(ray.origin.abs().max_element() + extent);
     Query {
+        fma,
         origin: ray.origin,
         t_min: ray.t_min,
-        shear: Vec3::new(d.x / d.z, d.y / d.z, 1.0 / d.z),
+        shear: Vec3::new(d.x * along, d.y * along, along),
         t_max: ray.t_max,
         inverse,
         axis,
-        low: -(fma3(Vec3::splat(SLAB_GROWTH), reach, ray.origin) * inverse),
-        high: -(fma3(Vec3::splat(-SLAB_GROWTH), reach, ray.origin) * inverse),
+        low: -(fma.of_vectors(Vec3::splat(SLAB_GROWTH), reach, ray.origin) * inverse),
+        high: -(fma.of_vectors(Vec3::splat(-SLAB_GROWTH), reach, ray.origin) * inverse),
     }
 }
 
 /// Where the ray is inside the grown box: from x to y, empty if x > y.
-pub fn slab_interval(query: &Query, low: Vec3, high: Vec3) -> Vec2 {
-    let a = fma3(low, query.inverse, query.low);
-    let b = fma3(high, query.inverse, query.high);
+pub fn slab_interval(query: &Query, bounds: Bounds) -> Vec2 {
+    let a = query.fma.of_vectors(bounds.low, query.inverse, query.low);
+    let b = query.fma.of_vectors(bounds.high, query.inverse, query.high);
     Vec2::new(a.min(b).max_element(), a.max(b).min_element() * FAR_GROWTH)
 }
 
-/// `a * b - c * d` to 1.5 ulp (Kahan).
-pub fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
+/// `a * b - c * d` with the right sign, or 0; to 1.5 ulp where fma is fused (Kahan).
+pub fn difference_of_products(fma: Fma, a: f32, b: f32, c: f32, d: f32) -> f32 {
     let cd = c * d;
-    let error = (-c).mul_add(d, cd);
-    a.mul_add(b, -cd) + error
+    let error = fma.of(-c, d, cd);
+    fma.of(a, b, -cd) + error
 }
 
 /// Twice the signed area of (0, p, q), the negative of that of (0, q, p) to the bit.
-pub fn edge_function(p: Vec2, q: Vec2) -> f32 {
+pub fn edge_function(fma: Fma, p: Vec2, q: Vec2) -> f32 {
     if p.x > q.x || (p.x == q.x && p.y > q.y) {
-        -difference_of_products(q.x, p.y, q.y, p.x)
+        -difference_of_products(fma, q.x, p.y, q.y, p.x)
     } else {
-        difference_of_products(p.x, q.y, p.y, q.x)
+        difference_of_products(fma, p.x, q.y, p.y, q.x)
     }
 }
 
 /// The normal of a triangle by its winding, twice its area long.
-pub fn triangle_normal(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
+pub fn triangle_normal(fma: Fma, a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
     let (e, f) = (b - a, c - a);
     Vec3::new(
-        difference_of_products(e.y, f.z, e.z, f.y),
-        difference_of_products(e.z, f.x, e.x, f.z),
-        difference_of_products(e.x, f.y, e.y, f.x),
+        difference_of_products(fma, e.y, f.z, e.z, f.y),
+        difference_of_products(fma, e.z, f.x, e.x, f.z),
+        difference_of_products(fma, e.x, f.y, e.y, f.x),
     )
 }
 
 /// A corner relative to the ray: the ray is x = y = 0, and z grows along it.
 pub fn shear_corner(query: &Query, corner: Vec3) -> Vec3 {
     let p = permute(corner - query.origin, query.axis);
-    Vec3::new((-query.shear.x).mul_add(p.z, p.x), (-query.shear.y).mul_add(p.z, p.y), p.z)
+    Vec3::new(query.fma.of(-query.shear.x, p.z, p.x), query.fma.of(-query.shear.y, p.z, p.y), p.z)
 }
 
 /// Both sides count, edges and corners belong to every triangle they bound, and a triangle without area is never hit.
 pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<TriangleHit> {
+    let fma = query.fma;
     let [p, q, r] = [a, b, c].map(|corner| shear_corner(query, corner));
-    let u = edge_function(q.xy(), r.xy());
-    let v = edge_function(r.xy(), p.xy());
-    let w = edge_function(p.xy(), q.xy());
+    let u = edge_function(fma, q.xy(), r.xy());
+    let v = edge_function(fma, r.xy(), p.xy());
+    let w = edge_function(fma, p.xy(), q.xy());
     let det = u + v + w;
     if (u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0) || det == 0.0 {
         return None;
     }
-    let interval = slab_interval(query, a.min(b).min(c), a.max(b).max(c));
-    if interval.x > interval.y || triangle_normal(a, b, c) == Vec3::ZERO {
+    let interval = slab_interval(query, Bounds { low: a.min(b).min(c), high: a.max(b).max(c) });
+    if interval.x > interval.y || triangle_normal(fma, a, b, c) == Vec3::ZERO {
         return None;
     }
     let scale = 1.0 / det;
-    let depth = u.mul_add(p.z, v.mul_add(q.z, w * r.z)) * query.shear.z * scale;
+    let depth = fma.of(u, p.z, fma.of(v, q.z, w * r.z)) * query.shear.z * scale;
     Some(TriangleHit { t: depth.max(interval.x).min(interval.y), b1: v * scale, b2: w * scale })
 }
 
@@ -146,7 +171,7 @@ pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<Tr
 /// error (PBRT, 4th ed., section 6.8.5).
 pub fn surface_point(a: Vec3, b: Vec3, c: Vec3, b1: f32, b2: f32) -> (Vec3, Vec3) {
     let b0 = 1.0 - b1 - b2;
-    let error = 4.172_325_7e-7 * ((b0 * a).abs() + (b1 * b).abs() + (b2 * c).abs());
+    let error = 8.344_651e-7 * ((b0 * a).abs() + (b1 * b).abs() + (b2 * c).abs());
     (b0 * a + b1 * b + b2 * c, error)
 }
 

@@ -1,9 +1,10 @@
 //! Trees that no pass has built, of scenes made to be hard to hit.
 
 use glam::{Vec3, Vec4};
-use lucerna::cpu::traverse::Tree;
+use lucerna::cpu::morton::Bounds;
+use lucerna::cpu::tree::Tree;
 use lucerna::layout::ray::{Ray, T_FAR};
-use lucerna::layout::tree::{self, LEAF_BIT, NO_ROOT, Node, Triangle};
+use lucerna::layout::tree::{LEAF_BIT, NO_ROOT, Node, Triangle};
 use lucerna::scene::generate::{Corners, SplitMix, icosphere};
 
 /// How a run of leaves is cut in two.
@@ -13,22 +14,8 @@ pub enum Cut {
     Median,
     /// Leaves shuffled, and cut anywhere: boxes overlap, and the order of leaves means nothing.
     Random(u64),
-    /// After the first leaf: as deep as there are leaves.
+    /// After the first two leaves: half as deep as there are leaves.
     Chain,
-}
-
-/// A tree and its triangles.
-#[derive(Clone, Debug, Default)]
-pub struct OwnedTree {
-    pub nodes: Vec<Node>,
-    pub leaves: Vec<Triangle>,
-    pub root: u32,
-}
-
-impl OwnedTree {
-    pub fn view(&self) -> Tree<'_> {
-        Tree { nodes: &self.nodes, leaves: &self.leaves, root: self.root }
-    }
 }
 
 /// Corners as records, indexed as listed.
@@ -36,14 +23,6 @@ pub fn records(triangles: &[Corners]) -> Vec<Triangle> {
     let record =
         |(i, [a, b, c]): (usize, &Corners)| Triangle { a: *a, b: *b, c: *c, index: i as u32, ..Triangle::default() };
     triangles.iter().enumerate().map(record).collect()
-}
-
-fn box_of(leaf: &Triangle) -> (Vec3, Vec3) {
-    (leaf.a.min(leaf.b).min(leaf.c), leaf.a.max(leaf.b).max(leaf.c))
-}
-
-fn union(a: (Vec3, Vec3), b: (Vec3, Vec3)) -> (Vec3, Vec3) {
-    (a.0.min(b.0), a.1.max(b.1))
 }
 
 /// A range of leaves that waits for its place in the tree: its parent, and whether it is the left child.
@@ -55,7 +34,7 @@ struct Waiting {
 }
 
 /// A valid tree over all triangles.
-pub fn build(triangles: &[Corners], cut: Cut) -> OwnedTree {
+pub fn build(triangles: &[Corners], cut: Cut) -> Tree {
     let mut leaves = records(triangles);
     let mut random = SplitMix(if let Cut::Random(seed) = cut { seed } else { 0 });
     if let Cut::Random(_) = cut {
@@ -79,7 +58,7 @@ pub fn build(triangles: &[Corners], cut: Cut) -> OwnedTree {
         waiting.push(Waiting { first: split, last, parent: word, is_left: false });
         waiting.push(Waiting { first, last: split, parent: word, is_left: true });
     }
-    let mut tree = OwnedTree { nodes, root: tree::root(leaves.len() as u32), leaves };
+    let mut tree = Tree { leaves, nodes };
     fill_boxes(&mut tree);
     tree
 }
@@ -87,13 +66,13 @@ pub fn build(triangles: &[Corners], cut: Cut) -> OwnedTree {
 /// How many leaves go left, at least one and not all.
 fn choose(leaves: &mut [Triangle], cut: Cut, random: &mut SplitMix) -> usize {
     match cut {
-        Cut::Chain => 1,
+        Cut::Chain => 2.min(leaves.len() - 1),
         Cut::Random(_) => 1 + (random.next_u64() % (leaves.len() as u64 - 1)) as usize,
         Cut::Median => {
             let centre = |t: &Triangle| t.a + t.b + t.c;
-            let (low, high) =
-                leaves.iter().map(|t| (centre(t), centre(t))).reduce(union).expect("invariant: two leaves or more");
-            let axis = (high - low).max_position();
+            let boxes = leaves.iter().map(|t| Bounds { low: centre(t), high: centre(t) });
+            let all = boxes.fold(Bounds::EMPTY, Bounds::joined);
+            let axis = (all.high - all.low).max_position();
             leaves.sort_by(|p, q| centre(p)[axis].total_cmp(&centre(q)[axis]).then(p.index.cmp(&q.index)));
             leaves.len() / 2
         }
@@ -101,17 +80,17 @@ fn choose(leaves: &mut [Triangle], cut: Cut, random: &mut SplitMix) -> usize {
 }
 
 /// Children come after their parents, so that the last node is done first.
-fn fill_boxes(tree: &mut OwnedTree) {
-    let mut boxes = vec![(Vec3::ZERO, Vec3::ZERO); tree.nodes.len()];
+fn fill_boxes(tree: &mut Tree) {
+    let mut boxes = vec![Bounds::EMPTY; tree.nodes.len()];
     for i in (0..tree.nodes.len()).rev() {
         let of = |child: u32| match child & LEAF_BIT {
             0 => boxes[child as usize],
-            _ => box_of(&tree.leaves[(child & !LEAF_BIT) as usize]),
+            _ => Bounds::of(&tree.leaves[(child & !LEAF_BIT) as usize]),
         };
         let (left, right) = (of(tree.nodes[i].left), of(tree.nodes[i].right));
-        let along = |axis: usize| Vec4::new(left.0[axis], left.1[axis], right.0[axis], right.1[axis]);
+        let along = |axis: usize| Vec4::new(left.low[axis], left.high[axis], right.low[axis], right.high[axis]);
         (tree.nodes[i].x, tree.nodes[i].y, tree.nodes[i].z) = (along(0), along(1), along(2));
-        boxes[i] = union(left, right);
+        boxes[i] = left.joined(right);
     }
 }
 

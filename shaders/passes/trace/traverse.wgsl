@@ -80,6 +80,39 @@ fn climb(query: Query, last: u32, hit: ptr<function, Hit>) -> u32 {
     return NO_ROOT;
 }
 
+// What is to do after a look at a node's children; NO_ROOT where there is nothing.
+struct Visit {
+    // The node to visit next.
+    next: u32,
+    // The farther node, if both children are to be visited.
+    later: u32,
+    // Leaves to test, nearer first.
+    first_leaf: u32,
+    second_leaf: u32,
+}
+
+fn visit_node(query: Query, index: u32, t: f32) -> Visit {
+    let node = nodes[index];
+    let at = child_intervals(query, node);
+    let left_first = at.near_left <= at.near_right;
+    let left_passes = interval_passes(at.near_left, at.far_left, query.t_min, t);
+    let right_passes = interval_passes(at.near_right, at.far_right, query.t_min, t);
+    let near_passes = select(right_passes, left_passes, left_first);
+    let far_passes = select(left_passes, right_passes, left_first);
+    let near_child = select(node.right, node.left, left_first);
+    let far_child = select(node.left, node.right, left_first);
+    let enter_near = near_passes && near_child < LEAF_BIT;
+    let enter_far = far_passes && far_child < LEAF_BIT;
+    let test_near = near_passes && near_child >= LEAF_BIT;
+    let test_far = far_passes && far_child >= LEAF_BIT;
+    return Visit(
+        select(select(NO_ROOT, far_child, enter_far), near_child, enter_near),
+        select(NO_ROOT, far_child, enter_near && enter_far),
+        select(select(NO_ROOT, far_child, test_far), near_child, test_near),
+        select(NO_ROOT, far_child, test_near && test_far),
+    );
+}
+
 // Leaves are tested as soon as their parent is visited, nearer first, and only nodes wait on the stack. With `any` the
 // walk ends at its first hit.
 fn traverse(ray: Ray, root: u32, any: bool) -> Hit {
@@ -88,64 +121,43 @@ fn traverse(ray: Ray, root: u32, any: bool) -> Hit {
         return hit;
     }
     let query = prepare_query(ray, scene_extent(root));
-    if root >= LEAF_BIT {
-        test_leaf(query, root & ~LEAF_BIT, &hit);
-        return hit;
-    }
     var stack: array<u32, STACK_SIZE>;
+    // Entries pushed and not popped, and how many of them, from the oldest, were forgotten.
     var top = 0u;
     var bottom = 0u;
-    var node_index = root;
     var last = root;
+    var visit = Visit(root, NO_ROOT, NO_ROOT, NO_ROOT);
+    if root >= LEAF_BIT {
+        visit = Visit(NO_ROOT, NO_ROOT, root, NO_ROOT);
+    }
     while hit.steps < MAX_STEPS {
-        var first_leaf = NO_ROOT;
-        var second_leaf = NO_ROOT;
-        while first_leaf == NO_ROOT && hit.steps < MAX_STEPS {
-            if node_index == NO_ROOT {
+        while visit.first_leaf == NO_ROOT && hit.steps < MAX_STEPS {
+            if visit.next == NO_ROOT {
                 if top != bottom {
                     top -= 1u;
-                    node_index = stack[top % STACK_SIZE];
+                    visit.next = stack[top % STACK_SIZE];
                 } else if bottom != 0u {
-                    node_index = climb(query, last, &hit);
+                    visit.next = climb(query, last, &hit);
                 }
-                if node_index == NO_ROOT {
+                if visit.next == NO_ROOT {
                     break;
                 }
             }
             hit.steps += 1u;
-            last = node_index;
-            let node = nodes[node_index];
-            let at = child_intervals(query, node);
-            let left_first = at.near_left <= at.near_right;
-            let near_child = select(node.right, node.left, left_first);
-            let far_child = select(node.left, node.right, left_first);
-            let left_passes = interval_passes(at.near_left, at.far_left, query.t_min, hit.t);
-            let right_passes = interval_passes(at.near_right, at.far_right, query.t_min, hit.t);
-            let near_passes = select(right_passes, left_passes, left_first);
-            let far_passes = select(left_passes, right_passes, left_first);
-            let near_is_leaf = near_child >= LEAF_BIT;
-            let far_is_leaf = far_child >= LEAF_BIT;
-            let test_near = near_passes && near_is_leaf;
-            let test_far = far_passes && far_is_leaf;
-            first_leaf = select(select(NO_ROOT, far_child, test_far), near_child, test_near);
-            second_leaf = select(NO_ROOT, far_child, test_near && test_far);
-            let enter_near = near_passes && !near_is_leaf;
-            let enter_far = far_passes && !far_is_leaf;
-            node_index = select(select(NO_ROOT, far_child, enter_far), near_child, enter_near);
-            if enter_near && enter_far {
-                stack[top % STACK_SIZE] = far_child;
+            last = visit.next;
+            visit = visit_node(query, last, hit.t);
+            if visit.later != NO_ROOT {
+                stack[top % STACK_SIZE] = visit.later;
                 top += 1u;
                 bottom = max(bottom, max(top, STACK_SIZE) - STACK_SIZE);
             }
         }
-        if first_leaf == NO_ROOT {
+        if visit.first_leaf == NO_ROOT {
             break;
         }
-        while first_leaf != NO_ROOT {
-            test_leaf(query, first_leaf & ~LEAF_BIT, &hit);
-            first_leaf = second_leaf;
-            second_leaf = NO_ROOT;
-        }
+        test_leaf(query, visit.first_leaf & ~LEAF_BIT, &hit);
+        visit.first_leaf = visit.second_leaf;
+        visit.second_leaf = NO_ROOT;
         if any && hit.triangle != NO_HIT {
             break;
         }
