@@ -1,5 +1,6 @@
 //! What the tests share.
 
+pub mod tracer;
 pub mod trees;
 
 use std::sync::{Arc, OnceLock};
