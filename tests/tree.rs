@@ -1,0 +1,316 @@
+//! Leaves, pyramid and nodes against their CPU twins, which find the same tree another way; and the judge of trees itself.
+
+use glam::Vec3;
+use lucerna::cpu::tree::{self, Tree};
+use lucerna::cpu::tree_check::{TreeFault, TreeMeasure, measure};
+use lucerna::gpu::Runtime;
+use lucerna::layout::tree::{BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, Triangle, node_count, root};
+use lucerna::passes::{Binding, Pass, Recording, Shape, Size, build};
+use lucerna::scene::generate::SplitMix;
+use lucerna::shader::Library;
+
+use crate::morton::{SIZES, cloud, clustered, point, rig_for, scenes, triangle};
+use crate::support;
+
+/// Junk before every build: what no pass writes is seen.
+fn spoil(recording: &mut Recording, n: u32) {
+    let words = |size: usize| n * size as u32 / 4;
+    lucerna::passes::clear(recording, "nodes", 0x7fff_fffe, words(size_of::<Node>()));
+    lucerna::passes::clear(recording, "leaves", 0x7fff_fffe, words(size_of::<Triangle>()));
+}
+
+fn download(rig: &Runtime, n: u32) -> Tree {
+    Tree {
+        leaves: rig.read_some("leaves", n as usize).unwrap(),
+        nodes: rig.read_some("nodes", node_count(n) as usize).unwrap(),
+    }
+}
+
+/// Builds on the GPU, judges the tree, and compares it with the CPU's.
+fn check(rig: &mut Runtime, what: &str, triangles: &[Triangle]) -> TreeMeasure {
+    let n = triangles.len() as u32;
+    rig.upload("triangles", triangles).unwrap();
+    let mut recording = Recording::default();
+    spoil(&mut recording, n);
+    build::record(&mut recording, n);
+    rig.play(&recording).unwrap();
+    let found = download(rig, n);
+    assert_same(&found, &tree::build(triangles), what);
+    if n <= MOST_PYRAMID {
+        check_pyramid(rig, what, &found.leaves);
+    }
+    measure(&found.leaves, &found.nodes).unwrap_or_else(|fault| panic!("{n} triangles, {what}: {fault}"))
+}
+
+/// More boxes are not downloaded: three dispatches of the pyramid are had with fewer.
+const MOST_PYRAMID: u32 = 1 << 20;
+
+fn check_pyramid(rig: &Runtime, what: &str, leaves: &[Triangle]) {
+    let expected = tree::pyramid(leaves);
+    assert_eq!(expected.len(), build::pyramid_boxes(leaves.len() as u32) as usize);
+    let found: Vec<LeafBox> = rig.read_some("boxes", expected.len()).unwrap();
+    let wrong = found.iter().zip(&expected).position(|(a, b)| a != b);
+    assert_eq!(wrong, None, "first box that differs in the pyramid over {}, {what}", leaves.len());
+}
+
+fn assert_same(found: &Tree, expected: &Tree, what: &str) {
+    let n = expected.leaves.len();
+    let leaf = found.leaves.iter().zip(&expected.leaves).position(|(a, b)| a != b);
+    assert_eq!(leaf, None, "first leaf that differs, of {n}, {what}");
+    let node = found.nodes.iter().zip(&expected.nodes).position(|(a, b)| a != b);
+    if let Some(node) = node {
+        panic!("{n} triangles, {what}: node {node} is {:?}, not {:?}", found.nodes[node], expected.nodes[node]);
+    }
+}
+
+#[test]
+fn trees_of_every_size_equal_the_cpu() {
+    let mut rig = rig_for(131_073);
+    for n in SIZES {
+        check(&mut rig, "random", &cloud(n, 0.02, |_, random| point(random)));
+        if n < 1000 {
+            check(&mut rig, "all equal", &cloud(n, 0.0, |_, _| Vec3::ONE));
+        }
+    }
+}
+
+#[test]
+fn trees_of_every_scene_equal_the_cpu() {
+    let mut rig = rig_for(4097);
+    for n in [3, 513, 4097] {
+        for (what, triangles) in scenes(n) {
+            check(&mut rig, what, &triangles);
+        }
+    }
+}
+
+#[test]
+fn trees_around_a_million_equal_the_cpu() {
+    let mut rig = rig_for((1 << 20) + 1);
+    for n in [(1 << 20) - 1, (1 << 20) + 1] {
+        check(&mut rig, "random", &cloud(n, 0.001, |_, random| point(random)));
+    }
+}
+
+#[test]
+fn a_million_equal_centroids_make_a_balanced_tree() {
+    let n = 1 << 20;
+    let found = check(&mut rig_for(n), "all equal", &cloud(n, 0.0, |_, _| Vec3::ONE));
+    assert_eq!(found.depth, 20);
+}
+
+#[test]
+fn clustered_centroids_make_a_deep_tree() {
+    let found = check(&mut rig_for(100_000), "clustered", &clustered(100_000));
+    // 63 bits of the code, 17 of the index.
+    assert!((30..=80).contains(&found.depth), "{}", found.depth);
+}
+
+/// Sorts and links given codes, whatever the triangles.
+fn check_codes(rig: &mut Runtime, what: &str, codes: &[u64]) {
+    let n = codes.len() as u32;
+    let triangles = cloud(n, 0.1, |_, random| point(random));
+    let mut order: Vec<u32> = (0..n).collect();
+    rig.upload("triangles", &triangles).unwrap();
+    rig.upload("keys", codes).unwrap();
+    rig.upload("payload", &order).unwrap();
+    let mut recording = Recording::default();
+    spoil(&mut recording, n);
+    build::record_tree(&mut recording, n);
+    rig.play(&recording).unwrap();
+
+    order.sort_by_key(|&i| codes[i as usize]);
+    let sorted: Vec<u64> = order.iter().map(|&i| codes[i as usize]).collect();
+    let leaves = tree::leaves(&triangles, &order);
+    let expected = Tree { nodes: tree::nodes(&sorted, &leaves), leaves };
+    let found = download(rig, n);
+    assert_same(&found, &expected, what);
+    measure(&found.leaves, &found.nodes).unwrap_or_else(|fault| panic!("{what}: {fault}"));
+}
+
+#[test]
+fn runs_of_equal_codes_are_split_at_every_bit() {
+    let mut rig = rig_for(700);
+    for bit in 0..64 {
+        // Three runs of equal codes, in turn: two differ in this bit, the third in the lowest too.
+        let codes: Vec<u64> = (0..257).map(|i| [0, 1 << bit, 1 << bit | 1][i % 3]).collect();
+        check_codes(&mut rig, &format!("bit {bit}"), &codes);
+    }
+    for bit in [0, 31, 32, 63] {
+        // Two runs, already sorted, that split at any place.
+        let codes: Vec<u64> = (0..700).map(|i| u64::from(i > 10 * bit) << bit).collect();
+        check_codes(&mut rig, &format!("bit {bit}, in order"), &codes);
+    }
+}
+
+#[test]
+fn codes_of_one_bit_each_make_the_deepest_tree() {
+    let mut rig = rig_for(700);
+    let mut codes: Vec<u64> = (0..63).map(|bit| 1 << bit).collect();
+    codes.extend([0; 200]);
+    check_codes(&mut rig, "one bit each", &codes);
+    codes.reverse();
+    check_codes(&mut rig, "one bit each, reversed", &codes);
+}
+
+#[test]
+fn the_tree_of_karras_is_found() {
+    // Figure 3 of the paper.
+    let codes = [0b00001, 0b00010, 0b00100, 0b00101, 0b10011, 0b11000, 0b11001, 0b11110];
+    let leaves = cloud(8, 0.1, |_, random| point(random));
+    let children: Vec<(u32, u32)> = tree::nodes(&codes, &leaves).iter().map(|n| (n.left, n.right)).collect();
+    let leaf = |i: u32| LEAF_BIT | i;
+    let expected =
+        [(3, 4), (leaf(0), leaf(1)), (leaf(2), leaf(3)), (1, 2), (leaf(4), 5), (6, leaf(7)), (leaf(5), leaf(6))];
+    assert_eq!(children, expected);
+}
+
+#[test]
+fn roots_are_named_by_size() {
+    assert_eq!([0, 1, 2, 1000].map(root), [NO_ROOT, LEAF_BIT, 0, 0]);
+    assert_eq!([0, 1, 2, 1000].map(node_count), [0, 0, 1, 999]);
+}
+
+#[test]
+fn sorting_by_code_is_what_makes_the_tree_cheap() {
+    let triangles = cloud(4096, 0.01, |_, random| point(random));
+    let sorted = tree::build(&triangles);
+    let sorted = measure(&sorted.leaves, &sorted.nodes).unwrap().sah;
+    let unsorted = measure(&triangles, &tree::nodes(&[0; 4096], &triangles)).unwrap().sah;
+    // A tree over points in any order has boxes about as large as the scene's near its leaves: thousands of visits.
+    assert!(sorted * 10.0 < unsorted, "{sorted} against {unsorted}");
+}
+
+#[test]
+fn the_cost_of_a_known_tree_is_right() {
+    // Two unit squares face to face, a metre apart: half areas 1 and 1 under a root of half area 3.
+    let square = |index, x| triangle(index, Vec3::new(x, 0.0, 0.0), Vec3::new(x, 1.0, 1.0), Vec3::new(x, 1.0, 0.0));
+    let tree = tree::build(&[square(0, 0.0), square(1, 1.0)]);
+    let found = measure(&tree.leaves, &tree.nodes).unwrap();
+    assert_eq!(found, TreeMeasure { depth: 1, sah: (3.0 + 1.0 + 1.0) / 3.0 });
+}
+
+#[test]
+fn faults_of_a_tree_are_found() {
+    let sound = tree::build(&cloud(100, 0.1, |_, random| point(random)));
+    let fault_of = |spoil: &dyn Fn(&mut Tree)| {
+        let mut tree = sound.clone();
+        spoil(&mut tree);
+        measure(&tree.leaves, &tree.nodes).unwrap_err()
+    };
+    let mut random = SplitMix(1);
+    for _ in 0..100 {
+        let at = (random.next_u64() % 99) as usize;
+        let up = |x: f32| x.next_up();
+        assert!(matches!(fault_of(&|t| t.nodes[at].x.x = up(t.nodes[at].x.x)), TreeFault::Box { .. }));
+        assert!(matches!(fault_of(&|t| t.nodes[at].z.w = up(t.nodes[at].z.w)), TreeFault::Box { .. }));
+        assert!(matches!(fault_of(&|t| t.nodes[at].leaves += 1), TreeFault::LeafCount { .. }));
+        assert!(matches!(fault_of(&|t| t.nodes[at].parent ^= 64), TreeFault::Parent { .. }));
+        assert!(matches!(fault_of(&|t| t.nodes[at].left = t.nodes[at].right), TreeFault::TwoParents { .. }));
+        assert!(matches!(fault_of(&|t| t.nodes[at].right = LEAF_BIT | 100), TreeFault::NoSuchChild { .. }));
+        assert!(matches!(fault_of(&|t| t.leaves[at].index = 100), TreeFault::Leaf { .. }));
+        assert!(matches!(fault_of(&|t| t.leaves[at] = t.leaves[at + 1]), TreeFault::Leaf { .. }));
+        let swap = |t: &mut Tree| {
+            let node = &mut t.nodes[at];
+            std::mem::swap(&mut node.left, &mut node.right);
+        };
+        assert!(matches!(fault_of(&swap), TreeFault::Order { .. }));
+    }
+    assert!(matches!(fault_of(&|t| t.nodes.truncate(98)), TreeFault::NodeCount { .. }));
+}
+
+/// Counts the words in which two buffers differ, on the GPU: a download of a large tree takes longer than a hundred builds.
+static DIFFER: Pass = Pass {
+    name: "differ",
+    module: "passes/differ",
+    entry: "differ",
+    bindings: &[
+        Binding::read("found", "array<u32>"),
+        Binding::read("expected", "array<u32>"),
+        Binding::write("differences", "array<atomic<u32>>"),
+        Binding::params("BuildParams"),
+    ],
+    shape: Shape::Items,
+};
+
+const DIFFER_WGSL: &str = "
+import package::gen::BuildParams;
+
+@group(0) @binding(0) var<storage, read> found: array<u32>;
+@group(0) @binding(1) var<storage, read> expected: array<u32>;
+@group(0) @binding(2) var<storage, read_write> differences: array<atomic<u32>>;
+@group(0) @binding(3) var<uniform> params: BuildParams;
+
+@compute @workgroup_size(256)
+fn differ(
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(num_workgroups) workgroups: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let word = (workgroup.x + workgroup.y * workgroups.x) * 256u + lane;
+    if (word < params.count && found[word] != expected[word]) {
+        atomicAdd(&differences[0], 1u);
+    }
+}
+";
+
+/// Words in which `nodes` and `leaves` differ from `expected_nodes` and `expected_leaves` after a new build.
+fn differences_of_a_build(rig: &mut Runtime, n: u32) -> u32 {
+    let mut recording = Recording::default();
+    spoil(&mut recording, n);
+    build::record(&mut recording, n);
+    lucerna::passes::clear(&mut recording, "differences", 0, 1);
+    let buffers = [
+        ("nodes", "expected_nodes", node_count(n) * size_of::<Node>() as u32 / 4),
+        ("leaves", "expected_leaves", n * size_of::<Triangle>() as u32 / 4),
+    ];
+    for (found, expected, count) in buffers {
+        let call = recording.run(&DIFFER, Size::Items(u64::from(count))).params(&BuildParams { count });
+        call.bind("found", found).bind("expected", expected);
+    }
+    rig.play(&recording).unwrap();
+    rig.read_some::<u32>("differences", 1).unwrap()[0]
+}
+
+/// The first build is judged in full; the others must equal it in every word.
+fn build_again_and_again(what: &str, triangles: &[Triangle], builds: u32) {
+    let n = triangles.len() as u32;
+    let mut rig = Runtime::new(support::gpu(), Library::shipped().with("passes/differ", DIFFER_WGSL));
+    for (name, bytes) in build::buffers(n) {
+        rig.reserve(name, bytes).unwrap();
+    }
+    rig.reserve("differences", 4).unwrap();
+    let found = check(&mut rig, what, triangles);
+    let tree = download(&rig, n);
+    rig.upload("expected_nodes", &tree.nodes).unwrap();
+    rig.upload("expected_leaves", &tree.leaves).unwrap();
+    for round in 0..builds {
+        let differences = differences_of_a_build(&mut rig, n);
+        assert_eq!(differences, 0, "words that differ in build {round} of {n} triangles, {what}");
+    }
+    eprintln!("{builds} builds of {n} triangles, {what}: depth {}, cost {:.3}", found.depth, found.sah);
+
+    // The comparison itself sees a change of one word.
+    let mut spoilt = tree.leaves[n as usize / 2];
+    spoilt.material ^= 1;
+    rig.write("expected_leaves", u64::from(n / 2), &[spoilt]).unwrap();
+    assert_eq!(differences_of_a_build(&mut rig, n), 1);
+}
+
+#[test]
+fn every_build_gives_the_same_tree() {
+    build_again_and_again("random", &cloud(20_000, 0.01, |_, random| point(random)), 20);
+    build_again_and_again("clustered", &clustered(20_000), 20);
+}
+
+#[test]
+fn every_build_of_a_large_tree_gives_the_same() {
+    if !support::stress() {
+        return;
+    }
+    for n in [1 << 20, 1 << 23] {
+        build_again_and_again("random", &cloud(n, 0.001, |_, random| point(random)), 100);
+        build_again_and_again("clustered", &clustered(n), 100);
+        build_again_and_again("all equal", &cloud(n, 0.0, |_, _| Vec3::ONE), 100);
+    }
+}
