@@ -1,5 +1,6 @@
 //! Benchmarks of single stages: medians over runs after warm-up, GPU time by pass, as a table or as JSON.
 
+pub mod build;
 pub mod sort;
 
 use std::collections::BTreeMap;
