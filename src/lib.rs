@@ -13,3 +13,5 @@ pub mod passes;
 pub mod scene;
 pub mod shader;
 pub mod systems;
+
+pub use systems::{Engine, EngineError, FilmImage, Progress, Report};

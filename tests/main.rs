@@ -1,6 +1,7 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
 mod extend;
+mod engine;
 mod intersect;
 mod law;
 mod layout;

@@ -1,0 +1,134 @@
+//! The engine: the only door for command line, window and tests.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use bevy_ecs::prelude::*;
+
+use super::governor::Governor;
+use super::present::Watched;
+use super::report::{self, FilmImage, Report};
+use super::state::{
+    Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, PackedScene, Pending, Spent,
+};
+use super::schedule;
+use crate::gpu::{Gpu, GpuError, Runtime};
+use crate::scene::{self, SceneDescription};
+use crate::shader::Library;
+
+/// Why the engine cannot go on. It keeps the film it has; the next `step` tries again.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum EngineError {
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Gpu(#[from] GpuError),
+
+    #[error("the scene has no camera")]
+    #[diagnostic(help("add one under `cameras` in the scene file"))]
+    NoCamera,
+
+    #[error("the scene has no film")]
+    NoFilm,
+
+    #[error("the film's window is empty, or outside the film")]
+    #[diagnostic(help("a crop is X0,X1,Y0,Y1 in pixels, with X0 < X1 and Y0 < Y1 within the size"))]
+    EmptyFilm,
+
+    #[error("the scene has {count} triangles; {most} are the most")]
+    #[diagnostic(help("use a coarser model"))]
+    TooManyTriangles { count: u64, most: u32 },
+}
+
+/// How far the film is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Samples that every pixel has.
+    pub spp: u32,
+    /// Samples every pixel is to have.
+    pub target: u32,
+    /// Samples of all pixels in this step.
+    pub samples: u64,
+    /// Dispatches of this step.
+    pub dispatches: u64,
+    /// Every pixel has all its samples.
+    pub finished: bool,
+}
+
+/// A world of entities, the schedule that runs on it, and the device it runs on.
+pub struct Engine {
+    world: World,
+    schedule: Schedule,
+}
+
+impl Engine {
+    /// Opens a scene. Nothing is traced yet.
+    pub fn open(gpu: Arc<Gpu>, library: Library, description: &SceneDescription) -> Result<Engine, EngineError> {
+        let mut world = World::new();
+        world.insert_resource(Device(Runtime::new(gpu, library)));
+        world.insert_resource(Budget(Duration::from_millis(100)));
+        world.init_resource::<Fault>();
+        world.init_resource::<PackedScene>();
+        world.init_resource::<Pending>();
+        world.init_resource::<Dirty>();
+        world.init_resource::<FilmProgress>();
+        world.init_resource::<Batch>();
+        world.init_resource::<Frame>();
+        world.init_resource::<Spent>();
+        world.init_resource::<Governor>();
+        world.init_resource::<Watched>();
+        // A film that was never reset is of size zero.
+        world.resource_mut::<Dirty>().film = true;
+        scene::apply(&mut world, description);
+        Ok(Engine { world, schedule: schedule() })
+    }
+
+    /// Changes the world; the next step finds out what that changed.
+    pub fn edit<R>(&mut self, change: impl FnOnce(&mut World) -> R) -> R {
+        change(&mut self.world)
+    }
+
+    /// Times every pass from now on, where the device can.
+    pub fn set_timing(&mut self, on: bool) {
+        self.world.resource_mut::<Device>().0.set_timing(on);
+    }
+
+    /// Runs the schedule once: takes up changes, and adds samples for about `budget`.
+    pub fn step(&mut self, budget: Duration) -> Result<Progress, EngineError> {
+        let before: u64 = self.dispatches().values().sum();
+        let samples = self.world.resource::<Spent>().samples;
+        self.world.resource_mut::<Budget>().0 = budget;
+        *self.world.resource_mut::<Frame>() = Frame::default();
+        self.schedule.run(&mut self.world);
+        self.world.clear_trackers();
+        if let Some(error) = self.world.resource_mut::<Fault>().0.take() {
+            // What was recorded may not have run: the film starts anew once the cause is gone.
+            self.world.resource_mut::<Dirty>().film = true;
+            return Err(error);
+        }
+        let progress = *self.world.resource::<FilmProgress>();
+        let target = self.world.resource::<PackedScene>().target;
+        Ok(Progress {
+            spp: progress.samples,
+            target,
+            samples: self.world.resource::<Spent>().samples - samples,
+            dispatches: self.dispatches().values().sum::<u64>() - before,
+            finished: progress.samples >= target,
+        })
+    }
+
+    /// How often each pass was dispatched since the engine opened.
+    pub fn dispatches(&self) -> &BTreeMap<&'static str, u64> {
+        self.world.resource::<Device>().0.dispatches()
+    }
+
+    /// Reads the film back, with its picture.
+    pub fn film(&mut self) -> Result<FilmImage, EngineError> {
+        report::read_film(&mut self.world)
+    }
+
+    /// What was done so far, and what it took.
+    pub fn report(&mut self) -> Result<Report, EngineError> {
+        report::read_report(&mut self.world)
+    }
+}

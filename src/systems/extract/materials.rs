@@ -1,0 +1,61 @@
+//! Materials to records, by the order of their names.
+
+use bevy_ecs::prelude::*;
+
+use crate::components::{Energy, Material, Name, Render};
+use crate::layout::trace::{EnergyRule, MaterialRecord, Reflector};
+use crate::systems::state::{Dirty, PackedScene, Pending};
+
+/// Repacks all records where a material came, went, changed or was renamed, or the energy policy changed; sends on only
+/// those that are not what they were.
+pub fn extract_changed_materials(
+    materials: Query<(Entity, &Name, &Material)>,
+    changed: Query<(), Or<(Changed<Material>, (With<Material>, Changed<Name>))>>,
+    mut removed: RemovedComponents<Material>,
+    render: Query<Ref<Render>>,
+    mut scene: ResMut<PackedScene>,
+    mut pending: ResMut<Pending>,
+    mut dirty: ResMut<Dirty>,
+) {
+    let removed = removed.read().count() > 0;
+    let first = scene.records.is_empty();
+    if !first && !removed && changed.is_empty() && !render.iter().any(|r| r.is_changed()) {
+        return;
+    }
+    let rule = match render.iter().next().map(|r| r.energy).unwrap_or_default() {
+        Energy::Preserve => EnergyRule::Preserve,
+        Energy::AsWritten => EnergyRule::AsWritten,
+    };
+    let mut sorted: Vec<_> = materials.iter().collect();
+    sorted.sort_by(|a, b| (a.1.as_str(), a.0).cmp(&(b.1.as_str(), b.0)));
+    let records: Vec<MaterialRecord> =
+        sorted.iter().map(|(_, _, m)| pack(m, rule)).chain([pack(&Material::default(), rule)]).collect();
+    let order: Vec<Entity> = sorted.iter().map(|(entity, ..)| *entity).collect();
+    if order != scene.materials {
+        scene.material_index = order.iter().zip(0..).map(|(entity, i)| (*entity, i)).collect();
+        scene.materials = order;
+    }
+    if records.len() != scene.records.len() {
+        pending.materials = vec![(0, records.clone())];
+        dirty.film = true;
+    } else {
+        for (i, record) in records.iter().enumerate() {
+            if *record != scene.records[i] {
+                pending.materials.push((i as u32, vec![*record]));
+                dirty.film = true;
+            }
+        }
+    }
+    scene.records = records;
+}
+
+fn pack(material: &Material, rule: EnergyRule) -> MaterialRecord {
+    let values = Reflector {
+        kd: material.kd,
+        ks: material.ks,
+        ns: material.ns,
+        emission: material.emission,
+        one_sided: material.one_sided,
+    };
+    MaterialRecord::pack(&values, rule)
+}

@@ -1,0 +1,152 @@
+//! What the phases hand to each other: resources that live as long as the engine.
+
+use std::collections::{BTreeSet, HashMap};
+use std::time::Duration;
+
+use bevy_ecs::prelude::*;
+use glam::DVec3;
+
+use super::EngineError;
+use crate::gpu::Runtime;
+use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
+use crate::layout::tree::Triangle;
+use crate::passes::Recording;
+
+/// The device and all that is on it.
+#[derive(Resource)]
+pub struct Device(pub Runtime);
+
+/// The first error of a run of the schedule. Later phases do nothing while there is one.
+#[derive(Resource, Default)]
+pub struct Fault(pub Option<EngineError>);
+
+/// Keeps the error of a system, if it is the first.
+pub fn keep_fault(In(result): In<Result<(), EngineError>>, mut fault: ResMut<Fault>) {
+    if let Err(error) = result
+        && fault.0.is_none()
+    {
+        fault.0 = Some(error);
+    }
+}
+
+/// Run condition: nothing has gone wrong in this run of the schedule.
+pub fn no_fault(fault: Res<Fault>) -> bool {
+    fault.0.is_none()
+}
+
+/// The scene as the GPU holds it, by index.
+#[derive(Resource, Default)]
+pub struct PackedScene {
+    /// World space point that is zero on the GPU.
+    pub origin: DVec3,
+    /// Triangles of all meshes, in the order of the meshes' names.
+    pub triangles: u32,
+    /// Some mesh has normals of its own.
+    pub normals: bool,
+    /// Meshes in the order of their names.
+    pub meshes: Vec<Entity>,
+    /// Materials in the order of their names; the last record, which has no entity, is the default one.
+    pub materials: Vec<Entity>,
+    pub material_index: HashMap<Entity, u32>,
+    pub records: Vec<MaterialRecord>,
+    /// What the camera, the film, the settings and the environment come to, but for the batch.
+    pub shot: TraceParams,
+    /// Radiance is summed in units of 2^-exponent.
+    pub exponent: i32,
+    /// Shader features that the scene needs.
+    pub features: BTreeSet<String>,
+    /// 2^exposure in stops.
+    pub exposure: f32,
+    /// Samples a pixel to reach.
+    pub target: u32,
+    /// Paths may end by roulette.
+    pub roulette: bool,
+}
+
+/// Arrays on their way to the GPU.
+#[derive(Resource, Default)]
+pub struct Pending {
+    /// Runs of triangles by the index of their first.
+    pub triangles: Vec<(u32, Vec<Triangle>)>,
+    /// Runs of corner normals by the index of their first triangle.
+    pub shading: Vec<(u32, Vec<Shading>)>,
+    /// Runs of material records by the index of their first.
+    pub materials: Vec<(u32, Vec<MaterialRecord>)>,
+}
+
+/// What this run of the schedule has to do again.
+#[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dirty {
+    /// Triangles changed: Morton codes to tree.
+    pub tree: bool,
+    /// Light changed: the film starts anew.
+    pub film: bool,
+    /// The picture is shown otherwise.
+    pub picture: bool,
+}
+
+/// How far the film has come.
+#[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FilmProgress {
+    /// Samples that every pixel of the window has.
+    pub samples: u32,
+    /// Rows, from the top, that have one more.
+    pub rows: u32,
+    /// The film's words were set to zero since it was reset.
+    pub cleared: bool,
+    /// The picture shows this very film.
+    pub shown: bool,
+}
+
+/// The samples this run of the schedule adds.
+#[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Batch {
+    pub first_sample: u32,
+    /// Samples a pixel; more than one only with all rows.
+    pub layers: u32,
+    pub first_row: u32,
+    pub rows: u32,
+}
+
+impl Batch {
+    /// Samples of the batch, over all its pixels.
+    pub fn samples(&self, width: u32) -> u64 {
+        u64::from(self.layers) * u64::from(self.rows) * u64::from(width)
+    }
+}
+
+/// Dispatches recorded in this run of the schedule.
+#[derive(Resource, Default)]
+pub struct Frame {
+    /// Morton codes to tree: played by itself, so that its time is known.
+    pub build: Recording,
+    pub trace: Recording,
+}
+
+/// Time this run of the schedule may take on the GPU.
+#[derive(Resource)]
+pub struct Budget(pub Duration);
+
+/// Seconds spent so far.
+#[derive(Resource, Default, Clone, Copy, Debug)]
+pub struct Spent {
+    pub build: f64,
+    pub trace: f64,
+    /// Samples over all pixels, in all batches since the engine opened.
+    pub samples: u64,
+}
+
+/// Where a mesh's triangles are on the GPU, and what they were made from: by comparing with these, an edit that
+/// changes nothing does nothing.
+#[derive(Component, Clone, Debug)]
+pub struct MeshSlot {
+    /// Index of its first triangle.
+    pub first: u32,
+    pub count: u32,
+    /// World space corners, scene units; empty meshes have low above high.
+    pub low: DVec3,
+    pub high: DVec3,
+    pub geometry: std::sync::Arc<crate::components::MeshData>,
+    pub transform: crate::components::Transform,
+    pub material: u32,
+}

@@ -1,0 +1,48 @@
+//! Plays what was recorded, and learns from the time it took.
+
+use std::time::Instant;
+
+use bevy_ecs::prelude::*;
+
+use super::governor::Governor;
+use super::state::{Batch, Device, Dirty, Frame, PackedScene, Spent, keep_fault, no_fault};
+use super::{EngineError, Phase};
+
+pub fn add_systems(schedule: &mut Schedule) {
+    schedule.add_systems(submit_frame.pipe(keep_fault).in_set(Phase::Submit).run_if(no_fault));
+}
+
+fn submit_frame(
+    mut device: ResMut<Device>,
+    mut frame: ResMut<Frame>,
+    mut spent: ResMut<Spent>,
+    mut governor: ResMut<Governor>,
+    mut dirty: ResMut<Dirty>,
+    batch: Res<Batch>,
+    scene: Res<PackedScene>,
+) -> Result<(), EngineError> {
+    let frame = std::mem::take(&mut *frame);
+    if dirty.tree {
+        let start = Instant::now();
+        device.0.play(&frame.build)?;
+        device.0.wait()?;
+        spent.build += start.elapsed().as_secs_f64();
+        governor.forget();
+    }
+    *dirty = Dirty::default();
+    if frame.trace.calls().next().is_none() {
+        return Ok(());
+    }
+    device.0.prepare(&frame.trace)?;
+    let start = Instant::now();
+    device.0.play(&frame.trace)?;
+    device.0.wait()?;
+    let seconds = start.elapsed().as_secs_f64();
+    spent.trace += seconds;
+    if batch.layers > 0 {
+        let samples = batch.samples(scene.shot.window_width);
+        spent.samples += samples;
+        governor.learn(samples, seconds);
+    }
+    Ok(())
+}
