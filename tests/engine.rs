@@ -90,7 +90,11 @@ fn news(engine: &Engine, seen: &mut BTreeMap<&'static str, u64>) -> BTreeMap<&'s
 }
 
 /// One step of one sample after an edit: which passes ran.
-fn passes_after(engine: &mut Engine, seen: &mut BTreeMap<&'static str, u64>, edit: impl FnOnce(&mut World)) -> Vec<&'static str> {
+fn passes_after(
+    engine: &mut Engine,
+    seen: &mut BTreeMap<&'static str, u64>,
+    edit: impl FnOnce(&mut World),
+) -> Vec<&'static str> {
     engine.edit(edit);
     finish(engine, Duration::from_secs(10));
     news(engine, seen).into_keys().collect()

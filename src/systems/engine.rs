@@ -9,10 +9,8 @@ use bevy_ecs::prelude::*;
 use super::governor::Governor;
 use super::present::Watched;
 use super::report::{self, FilmImage, Report};
-use super::state::{
-    Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, PackedScene, Pending, Spent,
-};
 use super::schedule;
+use super::state::{Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, PackedScene, Pending, Spent};
 use crate::gpu::{Gpu, GpuError, Runtime};
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;

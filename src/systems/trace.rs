@@ -15,9 +15,7 @@ const BATCH_BYTES: u64 = 128 << 20;
 const MOST_LAYERS: u64 = 1024;
 
 pub fn add_systems(schedule: &mut Schedule) {
-    schedule.add_systems(
-        (plan_batch, record_batch.pipe(keep_fault)).chain().in_set(Phase::Trace).run_if(no_fault),
-    );
+    schedule.add_systems((plan_batch, record_batch.pipe(keep_fault)).chain().in_set(Phase::Trace).run_if(no_fault));
 }
 
 impl Batch {

@@ -12,8 +12,7 @@ use crate::passes::build::MOST_TRIANGLES;
 use crate::systems::EngineError;
 use crate::systems::state::{Dirty, MeshSlot, PackedScene, Pending};
 
-type Mesh<'a> =
-    (Entity, &'a Name, &'a Geometry, Option<&'a Transform>, Option<&'a UsesMaterial>, Option<&'a MeshSlot>);
+type Mesh<'a> = (Entity, &'a Name, &'a Geometry, Option<&'a Transform>, Option<&'a UsesMaterial>, Option<&'a MeshSlot>);
 type Touched = Or<(Changed<Geometry>, Changed<Transform>, Changed<UsesMaterial>, Changed<Name>)>;
 
 /// Finds the meshes that are not what their slots say, and flattens those; all of them where slots move or the origin does.
