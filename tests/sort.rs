@@ -7,6 +7,7 @@ use lucerna::layout::sort::{
     tiles,
 };
 use lucerna::passes::{Recording, sort};
+use lucerna::shader::Library;
 
 use crate::support;
 
@@ -289,9 +290,36 @@ fn large_sizes() {
     for n in sizes(23).into_iter().filter(|n| *n > 1 << 16) {
         check(&mut rig, &random_keys(n), "random");
     }
-    // More than 65,535 tiles: workgroups in two dimensions.
-    let n = SORT_TILE * 65_536 + 1;
-    if 8 * u64::from(n) <= rig.gpu().limits.max_storage_buffer_binding_size {
-        check(&mut rig, &some_digits(n, 0x7f00_0000_0000_00ff), "two dimensions of workgroups");
+}
+
+#[test]
+fn tiles_in_two_dimensions() {
+    // More than 65,535 tiles would take 2 GiB of keys, so plan as if a dimension took 3 workgroups at most. The last row
+    // then goes beyond the last tile.
+    let plan = include_str!("../shaders/passes/sort/plan.wgsl");
+    let plan = plan.replace(" SORT_MOST_GROUPS,", "").replace("SORT_MOST_GROUPS", "3u");
+    let mut rig = Runtime::new(support::gpu(), Library::shipped().with("passes/sort/plan", &plan));
+    for tiles in [3, 4, 5, 40] {
+        let keys = some_digits(tiles * SORT_TILE - 9, 0xff00_0000_00ff);
+        let payload: Vec<u32> = (0..keys.len() as u32).collect();
+        let sorted = sort_on_gpu(&mut rig, &keys, &payload);
+        let SortDigit { tiles_x, tiles_y, .. } = sorted.plan.digits[0];
+        assert_eq!([tiles_x, tiles_y], [3, tiles.div_ceil(3)]);
+        assert!((sorted.keys, sorted.payload) == cpu::sort::stable(&keys, &payload), "{tiles} tiles");
     }
+}
+
+#[test]
+fn an_unstable_sort_is_seen() {
+    // Rank a row's equal digits from its last lane to its first: keys come out in order, their payload does not.
+    let right = include_str!("../shaders/passes/sort/scatter.wgsl");
+    let planted = right.replace("let below = bit - 0x10000u;", "let below = 0xffff0000u - bit - (bit - 0x10000u);");
+    assert_ne!(right, planted);
+    let mut rig = Runtime::new(support::gpu(), Library::shipped().with("passes/sort/scatter", &planted));
+    let keys: Vec<u64> = random_keys(5000).iter().map(|key| key & 0xff).collect();
+    let payload: Vec<u32> = (0..5000).collect();
+    let sorted = sort_on_gpu(&mut rig, &keys, &payload);
+    let (expected_keys, expected_payload) = cpu::sort::stable(&keys, &payload);
+    assert_eq!(sorted.keys, expected_keys);
+    assert_ne!(sorted.payload, expected_payload);
 }

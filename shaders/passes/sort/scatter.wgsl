@@ -4,6 +4,8 @@
 // of (row, digit), and then counts the bits below its own. The word's low half counts the keys that the row has ranked
 // before, so one load tells a key its rank in the row (Onesweep's match by atomic OR; Adinolfi 2022, Adinets and Merrill 2022).
 // The tile is then reordered in workgroup memory, so that neighbouring threads write neighbouring pairs.
+//
+// It is one long function so that its arrays are local variables with constant bounds: registers, once loops are unrolled.
 
 import package::gen::{SortParams, SortPlan, SORT_THREADS, SORT_ITEMS, SORT_TILE, SORT_BINS, SORT_LANES, SORT_IN_FRONT};
 import package::passes::sort::digit::digit_of;
