@@ -1,0 +1,160 @@
+//! Small scenes for the tests of light transport.
+
+use glam::{DVec3, UVec2, Vec3};
+use lucerna::cpu::path::PathScene;
+use lucerna::cpu::tree;
+use lucerna::gpu::Runtime;
+use lucerna::layout::film::film_exponent;
+use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, Shading, TraceParams};
+use lucerna::layout::tree::{Triangle, root};
+use lucerna::passes::Recording;
+use lucerna::passes::trace::{self, View};
+
+/// A scene as the trace kernel gets it.
+#[derive(Default)]
+pub struct Room {
+    pub triangles: Vec<Triangle>,
+    pub materials: Vec<MaterialRecord>,
+    /// In scene order, or empty.
+    pub shading: Vec<Shading>,
+    pub environment: Vec3,
+    pub roulette: bool,
+}
+
+/// A diffuse material that may emit.
+pub fn matte(kd: Vec3, emission: Vec3) -> MaterialRecord {
+    MaterialRecord::pack(&Reflector { kd, emission, ..Reflector::default() }, EnergyRule::Preserve)
+}
+
+/// A material of both lobes.
+pub fn shiny(kd: Vec3, ks: Vec3, ns: f32) -> MaterialRecord {
+    MaterialRecord::pack(&Reflector { kd, ks, ns, ..Reflector::default() }, EnergyRule::Preserve)
+}
+
+impl Room {
+    pub fn material(&mut self, record: MaterialRecord) -> u32 {
+        self.materials.push(record);
+        self.materials.len() as u32 - 1
+    }
+
+    pub fn triangle(&mut self, [a, b, c]: [Vec3; 3], material: u32) {
+        let index = self.triangles.len() as u32;
+        self.triangles.push(Triangle { a, b, c, index, material, flags: 0 });
+    }
+
+    /// The parallelogram of a corner and two edges; its normal is their cross product.
+    pub fn quad(&mut self, corner: Vec3, e: Vec3, f: Vec3, material: u32) {
+        self.triangle([corner, corner + e, corner + e + f], material);
+        self.triangle([corner, corner + e + f, corner + f], material);
+    }
+
+    /// The walls of a box from -1 to 1, seen from inside: x-, x+, y-, y+, z-, z+; none where there is no material.
+    pub fn walls(&mut self, materials: [Option<u32>; 6]) {
+        for (side, material) in materials.into_iter().enumerate() {
+            let Some(material) = material else { continue };
+            let axis = side / 2;
+            let sign = if side % 2 == 0 { -1.0 } else { 1.0 };
+            let (e, f) = (Vec3::AXES[(axis + 1) % 3], Vec3::AXES[(axis + 2) % 3]);
+            let (e, f) = if sign < 0.0 { (e, f) } else { (f, e) };
+            self.quad(Vec3::AXES[axis] * sign - e - f, 2.0 * e, 2.0 * f, material);
+        }
+    }
+
+    /// A ball of triangles with smooth normals on it and flat ones on all that came before.
+    pub fn ball(&mut self, centre: Vec3, radius: f32, material: u32) {
+        self.shading.resize(self.triangles.len(), Shading::default());
+        const RINGS: usize = 8;
+        let point = |i: usize, j: usize| {
+            let (theta, phi) =
+                (std::f32::consts::PI * i as f32 / RINGS as f32, std::f32::consts::PI * j as f32 / RINGS as f32);
+            Vec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin())
+        };
+        for i in 0..RINGS {
+            for j in 0..2 * RINGS {
+                let corners = [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)];
+                for normals in [[corners[0], corners[1], corners[2]], [corners[0], corners[2], corners[3]]] {
+                    self.triangle(normals.map(|n| centre + radius * n), material);
+                    self.shading.push(Shading::pack(normals));
+                }
+            }
+        }
+    }
+
+    /// The seed's room in small: red and green walls, a glossy block, a shiny ball, a light in the ceiling.
+    pub fn cornell() -> Self {
+        let mut room = Self { environment: Vec3::new(0.1, 0.2, 0.3), ..Self::default() };
+        let white = room.material(matte(Vec3::splat(0.73), Vec3::ZERO));
+        let red = room.material(matte(Vec3::new(0.63, 0.06, 0.05), Vec3::ZERO));
+        let green = room.material(matte(Vec3::new(0.14, 0.45, 0.09), Vec3::ZERO));
+        let light = room.material(matte(Vec3::ZERO, Vec3::splat(10.0)));
+        let block = room.material(shiny(Vec3::splat(0.4), Vec3::splat(0.5), 33.0));
+        let ball = room.material(shiny(Vec3::splat(0.6), Vec3::splat(0.3), 25.0));
+        room.walls([Some(red), Some(green), Some(white), Some(white), Some(white), None]);
+        room.quad(Vec3::new(-0.5, 0.98, -0.5), Vec3::X, Vec3::Z, light);
+        let (e, f, up) = (Vec3::new(0.5, 0.0, 0.3), Vec3::new(-0.3, 0.0, 0.5), Vec3::Y * 1.2);
+        let corner = Vec3::new(-0.5, -0.999, -0.7);
+        for (c, e, f) in [(corner, up, e), (corner, f, up), (corner + e, up, f), (corner + f, e, up)] {
+            room.quad(c, e, f, block);
+        }
+        room.quad(corner + up, f, e, block);
+        room.ball(Vec3::new(0.45, -0.6, 0.3), 0.39, ball);
+        room
+    }
+
+    /// A camera that looks in through the open side, and all else that the kernel is told.
+    pub fn params(&self, size: UVec2) -> TraceParams {
+        let mut params = TraceParams {
+            environment: self.environment,
+            layers: 1,
+            max_depth: 8,
+            root: root(self.triangles.len() as u32),
+            seed: 1,
+            ..TraceParams::default()
+        };
+        let view = View { position: DVec3::new(0.1, 0.05, 3.2), look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 42.0 };
+        params.aim(&view, size, DVec3::ZERO);
+        params.crop(UVec2::ZERO, size);
+        params.fit_film(self.exponent());
+        params
+    }
+
+    /// Exponent of a film for this scene.
+    pub fn exponent(&self) -> i32 {
+        film_exponent(trace::largest_emission(&self.materials, self.environment))
+    }
+
+    pub fn features(&self) -> Vec<&'static str> {
+        trace::features(&self.materials, self.environment, !self.shading.is_empty(), self.roulette)
+    }
+
+    /// Uploads the scene and its tree, and switches its features on.
+    pub fn load(&self, rig: &mut Runtime) {
+        let tree = tree::build(&self.triangles);
+        rig.upload("leaves", &tree.leaves).unwrap();
+        rig.upload("nodes", &tree.nodes).unwrap();
+        rig.upload("materials", &self.materials).unwrap();
+        if !self.shading.is_empty() {
+            rig.upload("shading", &self.shading).unwrap();
+        }
+        rig.set_features(&self.features());
+    }
+
+    /// The f64 twin's view of it.
+    pub fn twin(&self) -> PathScene<'_> {
+        let mut scene = PathScene::new(&self.triangles, &self.materials);
+        scene.shading = &self.shading;
+        scene.roulette = self.roulette;
+        scene
+    }
+}
+
+/// Traces a batch, and leaves it in `radiance`.
+pub fn trace_batch(rig: &mut Runtime, params: &TraceParams) {
+    let pixels = u64::from(params.window_width) * u64::from(params.window_height);
+    for (name, bytes) in trace::buffers(pixels, params.layers) {
+        rig.reserve(name, bytes).unwrap();
+    }
+    let mut recording = Recording::default();
+    trace::record(&mut recording, params);
+    rig.play(&recording).unwrap();
+}
