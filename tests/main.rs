@@ -1,7 +1,10 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
+mod bsdf;
+mod display;
 mod extend;
 mod engine;
+mod film;
 mod intersect;
 mod law;
 mod layout;
@@ -9,11 +12,13 @@ mod morton;
 mod passes;
 mod path;
 mod player;
+mod rooms;
 mod save;
 mod scene;
 mod shader;
 mod shader_errors;
 mod shader_fuzz;
 mod sort;
+mod statistics;
 mod support;
 mod tree;

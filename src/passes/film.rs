@@ -50,7 +50,13 @@ pub fn record_reset(recording: &mut Recording, pixels: u32) {
 /// Records the adding of what a trace kernel with `trace` left in `radiance`. The first pixel of its window is number
 /// `first_pixel` of the film.
 pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponent: i32, first_pixel: u32) {
-    let params = AccumulateParams {
+    let pixels = u64::from(trace.window_width) * u64::from(trace.window_height);
+    recording.run(&ACCUMULATE, Size::Items(pixels)).params(&accumulate_params(trace, exponent, first_pixel));
+}
+
+/// What the accumulate pass is told after a trace with `trace`.
+pub fn accumulate_params(trace: &TraceParams, exponent: i32, first_pixel: u32) -> AccumulateParams {
+    AccumulateParams {
         film_width: trace.film_width,
         window_x: trace.window_x,
         window_y: trace.window_y,
@@ -60,14 +66,16 @@ pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponen
         layers: trace.layers,
         exponent,
         first_pixel,
-    };
-    let pixels = u64::from(trace.window_width) * u64::from(trace.window_height);
-    recording.run(&ACCUMULATE, Size::Items(pixels)).params(&params);
+    }
 }
 
 /// Records the picture of a film of so many pixels; `exposure` in stops.
 pub fn record_display(recording: &mut Recording, pixels: u32, exponent: i32, exposure: f32) {
+    recording.run(&DISPLAY, Size::Items(u64::from(pixels))).params(&display_params(pixels, exponent, exposure));
+}
+
+/// What the display pass is told.
+pub fn display_params(pixels: u32, exponent: i32, exposure: f32) -> DisplayParams {
     let scale = 2f64.powf(f64::from(exposure) - f64::from(exponent));
-    let scale = (scale as f32).clamp(f32::MIN_POSITIVE, f32::MAX);
-    recording.run(&DISPLAY, Size::Items(u64::from(pixels))).params(&DisplayParams { pixels, scale, pad0: 0, pad1: 0 });
+    DisplayParams { pixels, scale: (scale as f32).clamp(f32::MIN_POSITIVE, f32::MAX), pad0: 0, pad1: 0 }
 }

@@ -1,0 +1,302 @@
+//! The fixed-point film: exact sums however they are cut, and bad samples left out.
+
+use glam::{UVec2, Vec3};
+use lucerna::cpu::film::{Counted, accumulate, film_mean, fixed_point, half_mean, pixel_mean, relative_error};
+use lucerna::cpu::rng::{sample_1d, sample_key};
+use lucerna::gpu::Runtime;
+use lucerna::layout::film::{
+    BAD_LOG, BadSample, FilmCounters, FilmHalf, FilmPixel, UNKNOWN_BOUNCE, film_exponent, largest_sample,
+};
+use lucerna::layout::trace::{
+    BAD_INFINITE, BAD_NAN, BAD_NEGATIVE, BAD_OVERFLOW, NO_MATERIAL, RadianceSample, SAMPLE_BAD, TraceParams,
+};
+use lucerna::passes::Recording;
+use lucerna::passes::film;
+
+use crate::support;
+
+/// A window of `width` x `height` somewhere in a larger film.
+fn window(width: u32, height: u32) -> TraceParams {
+    TraceParams {
+        film_width: 1000,
+        window_x: 30,
+        window_y: 7,
+        window_width: width,
+        window_height: height,
+        ..TraceParams::default()
+    }
+}
+
+fn pixels(params: &TraceParams) -> u32 {
+    params.window_width * params.window_height
+}
+
+/// An empty film for the window.
+fn reset(rig: &mut Runtime, params: &TraceParams) {
+    for (name, bytes) in film::buffers(u64::from(pixels(params))) {
+        rig.reserve(name, bytes).unwrap();
+    }
+    let mut recording = Recording::default();
+    film::record_reset(&mut recording, pixels(params));
+    rig.play(&recording).unwrap();
+}
+
+/// Adds samples, as many layers as there are.
+fn add(rig: &mut Runtime, params: &TraceParams, first_sample: u32, samples: &[RadianceSample], exponent: i32) {
+    rig.upload("radiance", samples).unwrap();
+    let params = TraceParams { first_sample, layers: samples.len() as u32 / pixels(params), ..*params };
+    let mut recording = Recording::default();
+    film::record_accumulate(&mut recording, &params, exponent, 0);
+    rig.play(&recording).unwrap();
+}
+
+fn read(rig: &Runtime, params: &TraceParams) -> (Vec<FilmPixel>, FilmCounters) {
+    (rig.read_some("film", pixels(params) as usize).unwrap(), rig.read_some("counters", 1).unwrap()[0])
+}
+
+fn twin(params: &TraceParams, samples: &[RadianceSample], exponent: i32) -> (Vec<FilmPixel>, Counted) {
+    let mut film = vec![FilmPixel::default(); pixels(params) as usize];
+    let params =
+        film::accumulate_params(&TraceParams { layers: samples.len() as u32 / pixels(params), ..*params }, exponent, 0);
+    let counted = accumulate(&mut film, samples, &params);
+    (film, counted)
+}
+
+fn grey(value: f32) -> RadianceSample {
+    RadianceSample { rgb: Vec3::splat(value), info: 1 }
+}
+
+/// A number that depends on `i` and `slot` alone.
+fn random(i: usize, slot: u32) -> f64 {
+    sample_1d(sample_key(i as u32, 0, 42), slot)
+}
+
+/// Samples of all magnitudes, one in `one_bad_in` wrong in some way.
+fn samples(count: usize, one_bad_in: f64) -> Vec<RadianceSample> {
+    let value = |i: usize, slot: u32| (random(i, slot) * 40.0 - 30.0).exp2() as f32;
+    let good = |i| RadianceSample {
+        rgb: Vec3::new(value(i, 0), value(i, 1), if random(i, 2) < 0.1 { 0.0 } else { value(i, 2) }),
+        info: (random(i, 3) * 50.0) as u32,
+    };
+    (0..count)
+        .map(|i| {
+            let mut sample = good(i);
+            let pick = random(i, 4) * one_bad_in;
+            match (pick * 5.0) as u32 {
+                _ if pick >= 1.0 => {}
+                0 => sample.rgb.x = f32::NAN,
+                1 => sample.rgb.y = f32::NEG_INFINITY,
+                2 => sample.rgb.z = -1e-30,
+                3 => sample.rgb.x = 3e38,
+                _ => {
+                    sample.rgb = Vec3::new(f32::from(BAD_NAN as u8), 3.0, 5.0);
+                    sample.info |= SAMPLE_BAD;
+                }
+            }
+            sample
+        })
+        .collect()
+}
+
+fn sorted(mut log: Vec<BadSample>) -> Vec<BadSample> {
+    log.sort_by_key(|bad| (bad.pixel, bad.sample));
+    log
+}
+
+fn rays(counters: &FilmCounters) -> u64 {
+    u64::from(counters.rays_hi.0) << 32 | u64::from(counters.rays_lo.0)
+}
+
+#[test]
+fn every_size_equals_the_twin() {
+    let mut rig = support::rig();
+    for (width, height) in [(1, 1), (3, 5), (9, 7), (64, 1), (5, 13), (50, 20), (64, 64)] {
+        let params = window(width, height);
+        let samples = samples((width * height * 7) as usize, 20.0);
+        reset(&mut rig, &params);
+        add(&mut rig, &params, 0, &samples, 40);
+        let (film, counters) = read(&rig, &params);
+        let (right, counted) = twin(&params, &samples, 40);
+        assert!(film == right, "the film of {width} x {height} differs from its twin");
+        assert_eq!(rays(&counters), counted.rays);
+        assert_eq!(counters.bad.0 as usize, counted.bad.len());
+        let logged = &counters.log[..counted.bad.len().min(BAD_LOG as usize)];
+        // Which of more than 64 get into the log is open; each that does must be right.
+        match counted.bad.len() <= BAD_LOG as usize {
+            true => assert_eq!(sorted(logged.to_vec()), sorted(counted.bad)),
+            false => assert!(logged.iter().all(|bad| counted.bad.contains(bad))),
+        }
+    }
+}
+
+#[test]
+fn no_cut_changes_a_bit() {
+    let params = window(13, 5);
+    let all = samples(13 * 5 * 24, 50.0);
+    let mut rig = support::rig();
+    let mut films = Vec::new();
+    for cuts in [vec![24], vec![1; 24], vec![5, 1, 10, 8], vec![23, 1]] {
+        reset(&mut rig, &params);
+        let mut first = 0;
+        for layers in cuts {
+            let part = &all[(first * pixels(&params)) as usize..][..(layers * pixels(&params)) as usize];
+            add(&mut rig, &params, first, part, 40);
+            first += layers;
+        }
+        films.push(read(&rig, &params));
+    }
+    for (film, counters) in &films {
+        assert!(film == &films[0].0, "a cut changed the film");
+        assert_eq!(rays(counters), rays(&films[0].1));
+    }
+}
+
+#[test]
+fn a_million_equal_samples_lose_nothing() {
+    let params = window(3, 1);
+    let values = [0.1f32, 0.3, 0.7];
+    let mut rig = support::rig();
+    let mut films = Vec::new();
+    for layers in [16_384u32, 9_973] {
+        reset(&mut rig, &params);
+        let mut first = 0;
+        while first < 1_000_000 {
+            let count = layers.min(1_000_000 - first);
+            let part: Vec<_> = (0..count * 3).map(|i| grey(values[i as usize % 3])).collect();
+            add(&mut rig, &params, first, &part, film_exponent(0.7));
+            first += count;
+        }
+        let (film, counters) = read(&rig, &params);
+        assert_eq!(rays(&counters), 3_000_000);
+        for (pixel, value) in film.iter().zip(values) {
+            let (mean, count) = pixel_mean(pixel, film_exponent(0.7));
+            assert_eq!(count, 1_000_000);
+            let right = f64::from(value);
+            assert!(mean.iter().all(|m| (m - right).abs() < 1e-6 * right), "{mean:?} instead of {right}");
+        }
+        films.push(film);
+    }
+    assert_eq!(films[0], films[1]);
+}
+
+#[test]
+fn fixed_point_is_exact_for_every_exponent() {
+    // Every binade, denormals too, at the ends of the range of exponents; the film is one pixel a value.
+    let mut values: Vec<f32> = (0..255u32)
+        .flat_map(|e| [0, 1, 0x40_0000, 0x7f_ffff, 0x2a_aaab].map(|m| f32::from_bits(e << 23 | m)))
+        .collect();
+    values.push(-0.0);
+    let params = window(values.len() as u32, 1);
+    let samples: Vec<_> = values.iter().map(|&v| grey(v)).collect();
+    let mut rig = support::rig();
+    for exponent in [-70, 0, 17, 40, 110] {
+        reset(&mut rig, &params);
+        add(&mut rig, &params, 0, &samples, exponent);
+        let (film, _) = read(&rig, &params);
+        for (pixel, value) in film.iter().zip(&values) {
+            let half = &pixel.halves[0];
+            let sum = u64::from(half.sum[0].y) << 32 | u64::from(half.sum[0].x);
+            match fixed_point(*value, exponent) {
+                Some(right) => assert_eq!((sum, half.count, half.bad), (right, 1, 0), "{value:e} * 2^{exponent}"),
+                None => assert_eq!((sum, half.count, half.bad), (0, 0, 1), "{value:e} * 2^{exponent}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn the_exponent_fits_the_scene() {
+    for emission in [1e-6f32, 0.1, 1.0, 10.0, 1023.0, 1e20] {
+        let scaled = fixed_point(emission, film_exponent(emission)).unwrap();
+        assert!((1 << 40..1 << 41).contains(&scaled), "{emission} becomes {scaled}");
+        let largest = largest_sample(film_exponent(emission));
+        assert_eq!(fixed_point(largest, film_exponent(emission)), None);
+        assert!(fixed_point(largest.next_down(), film_exponent(emission)).is_some());
+    }
+    assert_eq!(film_exponent(0.0), film_exponent(1.0));
+}
+
+#[test]
+fn bad_samples_are_counted_logged_and_left_out() {
+    let params = window(2, 2);
+    let mut batch = vec![grey(0.5); 4 * 6];
+    // Layer 1 of pixel 3, layer 2 of pixel 0, and so on.
+    let planted = [(1, 3, f32::NAN, BAD_NAN), (2, 0, f32::INFINITY, BAD_INFINITE), (3, 1, -1.0, BAD_NEGATIVE)];
+    for (layer, pixel, value, _) in planted {
+        batch[layer * 4 + pixel].rgb.y = value;
+    }
+    batch[4 * 4 + 2] = RadianceSample { rgb: Vec3::new(f32::from(BAD_OVERFLOW as u8), 6.0, 9.0), info: 7 | SAMPLE_BAD };
+    let mut rig = support::rig();
+    reset(&mut rig, &params);
+    add(&mut rig, &params, 10, &batch, 40);
+    let (film, counters) = read(&rig, &params);
+    assert_eq!(counters.bad.0, 4);
+    assert_eq!(rays(&counters), 23 + 7);
+    let place = |pixel: usize| (7 + pixel as u32 / 2) * 1000 + 30 + pixel as u32 % 2;
+    let mut right: Vec<_> = planted
+        .map(|(layer, pixel, _, kind)| BadSample {
+            pixel: place(pixel),
+            sample: 10 + layer as u32,
+            bounce: UNKNOWN_BOUNCE,
+            material: NO_MATERIAL,
+            kind,
+        })
+        .to_vec();
+    right.push(BadSample { pixel: place(2), sample: 14, bounce: 6, material: 9, kind: BAD_OVERFLOW });
+    assert_eq!(sorted(counters.log[..4].to_vec()), sorted(right));
+    for (pixel, at) in film.iter().zip(0..) {
+        let odd = u32::from([3, 1].contains(&at));
+        assert_eq!(pixel.halves.map(|half| half.bad), [1 - odd, odd]);
+        assert_eq!(pixel.halves.map(|half| half.count), [2 + odd, 3 - odd]);
+        assert_eq!(pixel_mean(pixel, 40), ([0.5; 3], 5));
+    }
+}
+
+#[test]
+fn a_full_sum_refuses_more() {
+    let params = window(1, 1);
+    let mut rig = support::rig();
+    reset(&mut rig, &params);
+    let almost = FilmHalf { sum: [UVec2::ZERO, UVec2::MAX, UVec2::ZERO], count: 9, bad: 0 };
+    rig.write("film", 0, &[FilmPixel { halves: [almost; 2] }]).unwrap();
+    add(&mut rig, &params, 0, &[RadianceSample { rgb: Vec3::X, info: 1 }, grey(1.0)], 0);
+    let (film, counters) = read(&rig, &params);
+    assert_eq!(film[0].halves[0], FilmHalf { sum: [UVec2::X, UVec2::MAX, UVec2::ZERO], count: 10, bad: 0 });
+    assert_eq!(film[0].halves[1], FilmHalf { bad: 1, ..almost });
+    assert_eq!(counters.log[0].kind, BAD_OVERFLOW);
+}
+
+#[test]
+fn rays_are_counted_beyond_32_bits() {
+    let params = window(1, 1);
+    let mut rig = support::rig();
+    reset(&mut rig, &params);
+    for i in 0..5 {
+        let many = RadianceSample { rgb: Vec3::ONE, info: 0x7fff_ffff };
+        add(&mut rig, &params, i, &[many], 40);
+    }
+    assert_eq!(rays(&read(&rig, &params).1), 5 * 0x7fff_ffff);
+}
+
+#[test]
+fn means_and_error_come_from_the_halves() {
+    let exponent = 40;
+    let params = window(64, 64);
+    // A uniform number around 1: variance 1/12, so of 8 samples relMSE is (1/12 / 8) / 1.01, up to the noise of 12,288
+    // differences squared (1.3 %); five of these.
+    let batch: Vec<_> = (0..64 * 64 * 8)
+        .map(|i| RadianceSample { rgb: Vec3::from_array([0, 1, 2].map(|c| 0.5 + random(i, c) as f32)), info: 1 })
+        .collect();
+    let (film, _) = twin(&params, &batch, exponent);
+    let error = relative_error(&film, exponent);
+    let right = 1.0 / 12.0 / 8.0 / 1.01;
+    assert!((error / right - 1.0).abs() < 0.065, "{error}, not {right}");
+    assert!(film_mean(&film, exponent).iter().all(|m| (m - 1.0).abs() < 0.01));
+    let ([even, odd], whole) = (film[0].halves.map(|half| half_mean(&half, exponent)), pixel_mean(&film[0], exponent));
+    assert_eq!((even.1, odd.1, whole.1), (4, 4, 8));
+    assert!((whole.0[0] - 0.5 * (even.0[0] + odd.0[0])).abs() < 1e-12);
+    // One sample a pixel says nothing of the error, and nothing is not NaN.
+    let (film, _) = twin(&params, &batch[..64 * 64], exponent);
+    assert_eq!(relative_error(&film, exponent), 0.0);
+    assert_eq!(film_mean(&[FilmPixel::default()], exponent), [0.0; 3]);
+}
