@@ -1,6 +1,7 @@
 //! Benchmarks of single stages: medians over runs after warm-up, GPU time by pass, as a table or as JSON.
 
 pub mod build;
+pub mod extend;
 pub mod sort;
 
 use std::collections::BTreeMap;
