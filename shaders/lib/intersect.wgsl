@@ -145,18 +145,20 @@ fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) ->
 
 struct SurfacePoint {
     position: vec3<f32>,
-    // Bound of each coordinate's error.
+    // How far each coordinate must be moved for a ray that leaves from here.
     error: vec3<f32>,
 }
 
-// The point of a triangle with weights b1 and b2 of its second and third corner, and the bound of its rounding errors:
-// gamma(7) times the sum of absolute terms (Pharr, Jakob, Humphreys: PBRT, 4th ed., section 6.8.5), and as much again for
-// what the next ray's own test of this triangle rounds.
+// The point of a triangle with weights b1 and b2 of its second and third corner. Its error bound is the sum of two:
+// gamma(7) times the sum of absolute terms for the position (Pharr, Jakob, Humphreys: PBRT, 4th ed., section 6.8.5); and
+// 8 * 2^-24 times the weighted distance of the corners, in every coordinate, for what the leaving ray's own test of this
+// triangle rounds. In a plane through the scene's origin the first is 0 along the normal, the second never.
 fn surface_point(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, b1: f32, b2: f32) -> SurfacePoint {
     let b0 = 1.0 - b1 - b2;
     let position = b0 * a + b1 * b + b2 * c;
-    let error = 8.34465139e-7 * (abs(b0 * a) + abs(b1 * b) + abs(b2 * c));
-    return SurfacePoint(position, error);
+    let rounding = 4.17232569e-7 * (abs(b0 * a) + abs(b1 * b) + abs(b2 * c));
+    let reach = abs(b0) * distance(a, position) + b1 * distance(b, position) + b2 * distance(c, position);
+    return SurfacePoint(position, rounding + vec3(4.76837158203125e-7 * reach));
 }
 
 // The least float above a finite x if `up`, else the greatest below.

@@ -167,12 +167,15 @@ pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<Tr
     Some(TriangleHit { t: depth.max(interval.x).min(interval.y), b1: v * scale, b2: w * scale })
 }
 
-/// A point of a triangle with weights `b1` and `b2` of its second and third corner, and the bound of each coordinate's
-/// error (PBRT, 4th ed., section 6.8.5).
+/// A point of a triangle with weights `b1` and `b2` of its second and third corner, and how far each coordinate must be
+/// moved for a ray that leaves from there: the position's own error (PBRT, 4th ed., section 6.8.5), and that of the
+/// leaving ray's test of this triangle.
 pub fn surface_point(a: Vec3, b: Vec3, c: Vec3, b1: f32, b2: f32) -> (Vec3, Vec3) {
     let b0 = 1.0 - b1 - b2;
-    let error = 8.344_651e-7 * ((b0 * a).abs() + (b1 * b).abs() + (b2 * c).abs());
-    (b0 * a + b1 * b + b2 * c, error)
+    let position = b0 * a + b1 * b + b2 * c;
+    let rounding = 4.172_325_7e-7 * ((b0 * a).abs() + (b1 * b).abs() + (b2 * c).abs());
+    let reach = b0.abs() * a.distance(position) + b1 * b.distance(position) + b2 * c.distance(position);
+    (position, rounding + Vec3::splat(4.768_371_6e-7 * reach))
 }
 
 /// The least normal float above a finite `x` if `up`, else the greatest below.
