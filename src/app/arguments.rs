@@ -1,0 +1,215 @@
+//! What the command line accepts. Whatever is out of range is refused here, with exit code 2.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use glam::UVec2;
+
+use super::{Exit, Failure, bench};
+use crate::components::{Crop, Integrator};
+use crate::gpu::Gpu;
+use crate::systems::save::Output;
+
+/// Pixels a side, at most.
+const MAX_SIDE: u32 = 16_384;
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0    done
+  1    wrong input, or an error on the way
+  2    the command line means nothing
+  3    no graphics adapter that can be used: see `lucerna doctor`
+  130  interrupted; what there was has been written";
+
+/// A GPU path tracer.
+#[derive(Debug, Parser)]
+#[command(name = "lucerna", version, after_help = EXIT_CODES, arg_required_else_help = true)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Render a scene to PNG, EXR and a report
+    Render(RenderArguments),
+    /// Check assets and shaders without rendering
+    Check(CheckArguments),
+    /// Say what there is to draw with, and what is missing
+    Doctor,
+    /// Time single stages of the engine
+    #[command(subcommand)]
+    Bench(BenchCommand),
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub struct RenderArguments {
+    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
+    pub scene: String,
+    /// Samples a pixel
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub spp: Option<u32>,
+    /// Render for so many seconds instead (with --spp: whichever comes first)
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
+    /// Size of the whole picture in pixels, each side 1 to 16384
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<UVec2>,
+    /// Render this part only: pixels from X0 up to but not X1, from Y0 up to but not Y1, from the top left
+    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = crop)]
+    pub crop: Option<Crop>,
+    /// A camera of the scene, by its name
+    #[arg(long, value_name = "NAME")]
+    pub camera: Option<String>,
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u32>,
+    /// How light is estimated
+    #[arg(long, value_enum)]
+    pub integrator: Option<IntegratorName>,
+    /// Segments of the longest path: 1 sees emitters only, up to 1024
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub max_depth: Option<u32>,
+    /// End paths of little throughput early (unbiased)
+    #[arg(long, value_enum)]
+    pub roulette: Option<Switch>,
+    /// Brighten by so many stops, -64 to 64
+    #[arg(long, value_name = "STOPS", value_parser = stops, allow_hyphen_values = true)]
+    pub exposure: Option<f32>,
+    /// Change a value of the scene file, such as -D materials.ball.ns=64
+    #[arg(short = 'D', value_name = "KEY=VALUE", value_parser = define)]
+    pub define: Vec<(String, String)>,
+    /// Write to this file: .png, .exr or .json; may be given several times [default: result/SCENE.png, .exr and .json]
+    #[arg(short, value_name = "FILE", value_parser = output)]
+    pub output: Vec<Output>,
+    /// Print the time of every pass
+    #[arg(long)]
+    pub stats: bool,
+    /// Print the report to stdout as one JSON object, and nothing else there
+    #[arg(long)]
+    pub json: bool,
+    /// No progress, and no warnings
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub struct CheckArguments {
+    /// Assets (.ron, .obj, .mtl) or folders of them [default: the folder assets, and all shaders]
+    pub paths: Vec<PathBuf>,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum BenchCommand {
+    /// Sort pairs of random 63-bit keys and 32-bit payloads
+    Sort {
+        /// Numbers of pairs
+        #[arg(long = "n", value_name = "N,..", value_delimiter = ',', value_parser = count, default_value = "1Mi,8Mi")]
+        counts: Vec<u32>,
+        #[command(flatten)]
+        how: BenchArguments,
+    },
+}
+
+#[derive(Debug, Args)]
+pub struct BenchArguments {
+    /// Timed runs after warm-up, at least 10
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(10..=100_000))]
+    pub runs: u32,
+    /// Print one JSON object instead of a table
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Integrators by their names on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum IntegratorName {
+    /// Directions from the BSDF alone; light is found by hitting it
+    Bsdf,
+}
+
+impl From<IntegratorName> for Integrator {
+    fn from(name: IntegratorName) -> Self {
+        match name {
+            IntegratorName::Bsdf => Integrator::Bsdf,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Switch {
+    On,
+    Off,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds > 0.0 && seconds <= 1e7 => Ok(seconds),
+        _ => Err("expected seconds above 0, at most 1e7".into()),
+    }
+}
+
+fn stops(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        Ok(stops) if stops.abs() <= 64.0 => Ok(stops),
+        _ => Err("expected a number from -64 to 64".into()),
+    }
+}
+
+fn size(text: &str) -> Result<UVec2, String> {
+    let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some(UVec2::new(w.parse().ok()?, h.parse().ok()?)));
+    match sides {
+        Some(size) if size.min_element() >= 1 && size.max_element() <= MAX_SIDE => Ok(size),
+        _ => Err(format!("expected WIDTHxHEIGHT, each from 1 to {MAX_SIDE}")),
+    }
+}
+
+fn crop(text: &str) -> Result<Crop, String> {
+    let numbers: Option<Vec<u32>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x0, x1, y0, y1]) if x0 < x1 && y0 < y1 => {
+            Ok(Crop { min: UVec2::new(x0, y0), max: UVec2::new(x1, y1) })
+        }
+        _ => Err("expected X0,X1,Y0,Y1 in pixels, with X0 < X1 and Y0 < Y1".into()),
+    }
+}
+
+/// A number, as `1000000`, `1_000_000`, `1M` or `1Mi` (2^20).
+fn count(text: &str) -> Result<u32, String> {
+    let units = [("Ki", 1u64 << 10), ("Mi", 1 << 20), ("k", 1000), ("M", 1_000_000)];
+    let (digits, unit) =
+        units.iter().find_map(|(suffix, unit)| Some((text.strip_suffix(suffix)?, *unit))).unwrap_or((text, 1));
+    let number = digits.replace('_', "").parse::<u64>().ok().and_then(|n| n.checked_mul(unit));
+    match number.and_then(|n| u32::try_from(n).ok()) {
+        Some(n) if n >= 1 && n <= 1 << 30 => Ok(n),
+        _ => Err("expected a whole number from 1 to 1024Mi, such as 1000000, 1M or 1Mi (2^20)".into()),
+    }
+}
+
+fn define(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
+        _ => Err("expected KEY=VALUE, such as materials.ball.ns=64".into()),
+    }
+}
+
+fn output(text: &str) -> Result<Output, String> {
+    use miette::Diagnostic;
+    Output::new(text).map_err(|error| match error.help() {
+        Some(help) => format!("{error}; {help}"),
+        None => error.to_string(),
+    })
+}
+
+impl BenchCommand {
+    /// Opens the device and runs the benchmark.
+    pub fn run(self) -> Result<Exit, Failure> {
+        let gpu = Gpu::open()?;
+        match self {
+            BenchCommand::Sort { counts, how } => bench::sort::run(gpu, &counts, how.runs, how.json)?,
+        }
+        Ok(Exit::Done)
+    }
+}

@@ -1,0 +1,218 @@
+//! Errors at the edge: shown once on stderr, and turned into an exit code.
+
+use std::io::{IsTerminal, Write};
+use std::process::ExitCode;
+
+use super::bench::BenchError;
+use crate::gpu::GpuError;
+use crate::scene::{Diagnostic, Diagnostics};
+use crate::shader::ShaderError;
+use crate::systems::EngineError;
+use crate::systems::save::SaveError;
+
+/// What the process ends with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exit {
+    /// All that was asked for was done.
+    Done,
+    /// Wrong input, or an error on the way.
+    Failed,
+    /// A command line that means nothing.
+    Usage,
+    /// No graphics adapter that can be used.
+    NoAdapter,
+    /// Interrupted; what there was has been written.
+    Interrupted,
+}
+
+impl Exit {
+    /// The number the shell sees.
+    pub fn code(self) -> u8 {
+        match self {
+            Exit::Done => 0,
+            Exit::Failed => 1,
+            Exit::Usage => 2,
+            Exit::NoAdapter => 3,
+            Exit::Interrupted => 130,
+        }
+    }
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        ExitCode::from(exit.code())
+    }
+}
+
+/// Why a command stopped.
+#[derive(Debug)]
+pub struct Failure {
+    pub exit: Exit,
+    pub report: miette::Report,
+}
+
+/// A command line that parses, and can't be meant.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("{message}")]
+struct Misused {
+    message: String,
+    #[help]
+    help: String,
+}
+
+/// A benchmark that gave no figures.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error(transparent)]
+struct Measured(BenchError);
+
+impl Failure {
+    /// Of the command line: what is wrong, and what to do.
+    pub fn usage(message: impl Into<String>, help: impl Into<String>) -> Self {
+        let misused = Misused { message: message.into(), help: help.into() };
+        Self { exit: Exit::Usage, report: misused.into() }
+    }
+
+    /// Of anything else.
+    pub fn of(error: impl miette::Diagnostic + Send + Sync + 'static) -> Self {
+        Self { exit: Exit::Failed, report: miette::Report::new(error) }
+    }
+
+    /// Of the engine.
+    pub fn engine(error: EngineError) -> Self {
+        match error {
+            EngineError::Gpu(error) => error.into(),
+            other => Self::of(other),
+        }
+    }
+
+    /// Prints it to stderr.
+    pub fn show(&self) {
+        show(&*self.report);
+    }
+}
+
+impl From<GpuError> for Failure {
+    fn from(error: GpuError) -> Self {
+        let exit = match error {
+            GpuError::NoAdapter | GpuError::NoSuchAdapter { .. } => Exit::NoAdapter,
+            _ => Exit::Failed,
+        };
+        Self { exit, report: error.into() }
+    }
+}
+
+impl From<BenchError> for Failure {
+    fn from(error: BenchError) -> Self {
+        match error {
+            BenchError::Gpu(error) => error.into(),
+            other => Self::of(Measured(other)),
+        }
+    }
+}
+
+impl From<Diagnostic> for Failure {
+    fn from(error: Diagnostic) -> Self {
+        Self::of(error)
+    }
+}
+
+impl From<Diagnostics> for Failure {
+    fn from(errors: Diagnostics) -> Self {
+        Self::of(errors)
+    }
+}
+
+impl From<ShaderError> for Failure {
+    fn from(error: ShaderError) -> Self {
+        Self::of(error)
+    }
+}
+
+impl From<SaveError> for Failure {
+    fn from(error: SaveError) -> Self {
+        Self::of(error)
+    }
+}
+
+/// Prints a diagnostic, or those that it gathers, to stderr.
+pub fn show(diagnostic: &dyn miette::Diagnostic) {
+    let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let mut related = diagnostic.related().into_iter().flatten().peekable();
+    let text = match related.peek() {
+        None => rendered(diagnostic, colour),
+        Some(_) => related.map(|one| rendered(one, colour)).collect(),
+    };
+    // If stderr is closed, nobody is there to be told.
+    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+}
+
+/// `file:line:column: error: message`, the source line with a mark below it, and the help: what editors and people can
+/// both follow. Ends with a line break.
+pub fn rendered(diagnostic: &dyn miette::Diagnostic, colour: bool) -> String {
+    let whole = diagnostic.to_string();
+    let help = diagnostic.help().map(|help| help.to_string());
+    // A diagnostic's own text may end in its help, which is to come after the source line.
+    let message = match &help {
+        Some(help) => whole.strip_suffix(help.as_str()).map_or(whole.as_str(), |rest| {
+            let rest = rest.trim_end();
+            rest.strip_suffix("help:").map_or(whole.as_str(), str::trim_end)
+        }),
+        None => &whole,
+    };
+    let word = match diagnostic.severity() {
+        Some(miette::Severity::Warning) => "warning",
+        Some(miette::Severity::Advice) => "advice",
+        _ => "error",
+    };
+    let marked = format!("{word}: ");
+    let message = match snippet(diagnostic) {
+        // Located, but without the word: behind the place is where it belongs.
+        Some(found) if !message.contains(&marked) => match message.strip_prefix(found.place.as_str()) {
+            Some(rest) => format!("{}{marked}{}", found.place, rest),
+            None => format!("{}{marked}{message}", found.place),
+        },
+        None if !message.contains(&marked) => format!("{marked}{message}"),
+        _ => message.to_owned(),
+    };
+    let (red, plain) = match (colour, word) {
+        (false, _) => ("", ""),
+        (true, "error") => ("\u{1b}[1;31m", "\u{1b}[0m"),
+        (true, _) => ("\u{1b}[1;33m", "\u{1b}[0m"),
+    };
+    let mut text = message.replacen(&marked, &format!("{red}{word}:{plain} "), 1) + "\n";
+    if let Some(found) = snippet(diagnostic) {
+        text += &found.text;
+    }
+    if let Some(help) = help {
+        text += &format!("  help: {help}\n");
+    }
+    text
+}
+
+/// A source line with its mark.
+struct Snippet {
+    /// `file:line:column: `
+    place: String,
+    text: String,
+}
+
+/// The line that the first label is in.
+fn snippet(diagnostic: &dyn miette::Diagnostic) -> Option<Snippet> {
+    let source = diagnostic.source_code()?;
+    let label = diagnostic.labels()?.next()?;
+    let contents = source.read_span(label.inner(), 0, 0).ok()?;
+    let all = std::str::from_utf8(contents.data()).ok()?;
+    let before = label.offset().saturating_sub(contents.span().offset());
+    let line = all.lines().next()?;
+    let at = line.get(..before.min(line.len())).map_or(0, |text| text.chars().count());
+    let marked = line.get(before..).map_or(0, |text| text.get(..label.len()).unwrap_or(text).chars().count()).max(1);
+    let number = (contents.line() + 1).to_string();
+    let margin = " ".repeat(number.len());
+    let indent: String = line.chars().take(at).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
+    let carets = "^".repeat(marked);
+    let place = match contents.name() {
+        Some(name) => format!("{name}:{number}:{}: ", contents.column() + at + 1),
+        None => String::new(),
+    };
+    Some(Snippet { place, text: format!("  {number} | {line}\n  {margin} | {indent}{carets}\n") })
+}

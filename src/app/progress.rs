@@ -1,0 +1,153 @@
+//! How far a render is, on stderr: a bar on a terminal, a line now and then elsewhere, nothing if it is to be quiet.
+
+use std::io::IsTerminal;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::output;
+
+/// Steps of the bar.
+const FINE: u64 = 10_000;
+
+/// Between two lines where stderr is no terminal.
+const LINE: Duration = Duration::from_secs(10);
+
+/// Between two looks at the film's error, at least.
+const LOOK: Duration = Duration::from_secs(2);
+
+/// A look may cost one part in so many of the time.
+const LOOK_SHARE: u32 = 50;
+
+/// What ends the render.
+#[derive(Clone, Copy, Debug)]
+pub struct Goal {
+    /// Samples of all pixels; none if only time counts.
+    pub samples: Option<u64>,
+    /// Seconds of tracing.
+    pub seconds: Option<f64>,
+}
+
+/// Shows how far a render is.
+#[derive(Debug)]
+pub struct Meter {
+    bar: ProgressBar,
+    shown: Shown,
+    goal: Goal,
+    begin: Instant,
+    samples: u64,
+    spp: u32,
+    error: Option<f64>,
+    looked: Instant,
+    look_cost: Duration,
+    line: Instant,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shown {
+    Nothing,
+    Lines,
+    Bar,
+}
+
+impl Meter {
+    /// Begins now.
+    pub fn new(name: &str, goal: Goal, quiet: bool) -> Self {
+        let shown = match (quiet, std::io::stderr().is_terminal()) {
+            (true, _) => Shown::Nothing,
+            (false, false) => Shown::Lines,
+            (false, true) => Shown::Bar,
+        };
+        let target = if shown == Shown::Bar { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let bar = ProgressBar::with_draw_target(Some(FINE), target);
+        let style = ProgressStyle::with_template("{prefix} [{bar:30}] {percent:>3} %  {msg}")
+            .expect("invariant: the template is a constant");
+        bar.set_style(style.progress_chars("=> "));
+        bar.set_prefix(name.to_owned());
+        let now = Instant::now();
+        Self {
+            bar,
+            shown,
+            goal,
+            begin: now,
+            samples: 0,
+            spp: 0,
+            error: None,
+            looked: now,
+            look_cost: Duration::ZERO,
+            line: now,
+        }
+    }
+
+    /// Since the beginning.
+    pub fn elapsed(&self) -> Duration {
+        self.begin.elapsed()
+    }
+
+    /// Adds the samples of a step, and shows them.
+    pub fn advance(&mut self, samples: u64, spp: u32) {
+        self.samples += samples;
+        self.spp = spp;
+        match self.shown {
+            Shown::Nothing => {}
+            Shown::Bar => {
+                self.bar.set_position((self.done() * FINE as f64) as u64);
+                self.bar.set_message(self.message());
+            }
+            Shown::Lines if self.line.elapsed() >= LINE => {
+                self.line = Instant::now();
+                output::note(&format!("{:3.0} %  {}", self.done() * 100.0, self.message()));
+            }
+            Shown::Lines => {}
+        }
+    }
+
+    /// Whether it is time to look at the film's error: not too often, since reading the film back takes time.
+    pub fn wants_error(&self) -> bool {
+        let due = LOOK.max(self.look_cost * LOOK_SHARE);
+        self.shown != Shown::Nothing && self.spp >= 2 && self.looked.elapsed() >= due
+    }
+
+    /// Takes note of the film's estimated relMSE, and of what it cost to learn it.
+    pub fn set_error(&mut self, error: f64, cost: Duration) {
+        (self.error, self.look_cost, self.looked) = (Some(error), cost, Instant::now());
+    }
+
+    /// Takes the bar away.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+
+    /// Part of the goal that is reached, 0 to 1.
+    fn done(&self) -> f64 {
+        let by_samples = self.goal.samples.map_or(0.0, |goal| self.samples as f64 / goal.max(1) as f64);
+        let by_time = self.goal.seconds.map_or(0.0, |goal| self.elapsed().as_secs_f64() / goal);
+        by_samples.max(by_time).clamp(0.0, 1.0)
+    }
+
+    fn message(&self) -> String {
+        let seconds = self.elapsed().as_secs_f64();
+        let done = self.done();
+        let mut text = format!("{} spp", self.spp);
+        if seconds > 0.0 {
+            text += &format!(", {:.2} Msamples/s", self.samples as f64 / seconds * 1e-6);
+        }
+        if let Some(error) = self.error {
+            text += &format!(", error {error:.1e}");
+        }
+        if done > 0.0 && done < 1.0 {
+            text += &format!(", {} left", clock(seconds * (1.0 - done) / done));
+        }
+        text
+    }
+}
+
+/// Seconds as people read them: `12 s`, `3:07`, `2:03:07`.
+pub fn clock(seconds: f64) -> String {
+    let whole = seconds.clamp(0.0, 1e9).ceil() as u64;
+    match (whole / 3600, whole / 60 % 60, whole % 60) {
+        (0, 0, s) => format!("{s} s"),
+        (0, m, s) => format!("{m}:{s:02}"),
+        (h, m, s) => format!("{h}:{m:02}:{s:02}"),
+    }
+}

@@ -1,0 +1,225 @@
+//! What a render says about itself: metadata in its files, the report as JSON, and a few lines for people.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::arguments::RenderArguments;
+use crate::components::{Crop, Energy, Integrator};
+use crate::layout::film::BadSample;
+use crate::scene::SceneDescription;
+use crate::systems::{FilmImage, Report};
+
+/// Wall-clock seconds of the phases.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seconds {
+    /// Opening the device.
+    pub start: f64,
+    /// Reading the scene's files and making entities of them.
+    pub load: f64,
+    /// From the start of the process to the film's return.
+    pub total: f64,
+}
+
+/// All there is to say about a finished render.
+#[derive(Debug)]
+pub struct Account<'a> {
+    pub arguments: &'a RenderArguments,
+    /// The scene file.
+    pub path: &'a Path,
+    /// As it was rendered.
+    pub description: &'a SceneDescription,
+    pub film: &'a FilmImage,
+    pub report: &'a Report,
+    pub seconds: Seconds,
+    pub interrupted: bool,
+}
+
+impl Account<'_> {
+    /// What is needed to repeat the render, for the files' metadata. Nothing in it differs between equal renders on one
+    /// machine.
+    pub fn metadata(&self) -> Vec<(&'static str, String)> {
+        let scene = self.description;
+        let defines: Vec<String> =
+            self.arguments.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
+        vec![
+            ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
+            ("scene", self.path.display().to_string()),
+            ("defines", defines.join("; ")),
+            ("camera", scene.active.clone()),
+            ("size", format!("{}x{}", scene.film.size.x, scene.film.size.y)),
+            ("crop", crop(self.film.window)),
+            ("spp", self.film.spp.to_string()),
+            ("seed", scene.render.seed.to_string()),
+            ("integrator", integrator(scene.render.integrator).to_owned()),
+            ("max_depth", scene.render.max_depth.to_string()),
+            ("roulette", switch(scene.render.roulette).to_owned()),
+            ("energy", energy(scene.render.energy).to_owned()),
+            ("exposure", scene.film.exposure.to_string()),
+            ("adapter", self.report.adapter.clone()),
+            ("repeat", self.repeat()),
+        ]
+    }
+
+    /// A command line that gives the same film again.
+    fn repeat(&self) -> String {
+        let scene = self.description;
+        let mut words = vec!["lucerna".to_owned(), "render".to_owned(), quoted(&self.path.display().to_string())];
+        let mut option = |name: &str, value: String| words.extend([name.to_owned(), quoted(&value)]);
+        option("--spp", self.film.spp.to_string());
+        option("--size", format!("{}x{}", scene.film.size.x, scene.film.size.y));
+        if scene.film.crop.is_some() {
+            option("--crop", crop(self.film.window));
+        }
+        option("--camera", scene.active.clone());
+        option("--seed", scene.render.seed.to_string());
+        option("--integrator", integrator(scene.render.integrator).to_owned());
+        option("--max-depth", scene.render.max_depth.to_string());
+        option("--roulette", switch(scene.render.roulette).to_owned());
+        option("--exposure", scene.film.exposure.to_string());
+        for (key, value) in &self.arguments.define {
+            option("-D", format!("{key}={value}"));
+        }
+        words.join(" ")
+    }
+
+    /// The report as one JSON object.
+    pub fn json(&self, outputs: &[String]) -> Value {
+        let (scene, film, report) = (self.description, self.film, self.report);
+        let window = film.window;
+        let passes: Vec<Value> = report
+            .passes
+            .iter()
+            .map(|pass| json!({ "name": pass.name, "count": pass.count, "milliseconds": pass.milliseconds }))
+            .collect();
+        json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "scene": scene.name,
+            "scene_file": self.path.display().to_string(),
+            "adapter": report.adapter,
+            "size": [film.size.x, film.size.y],
+            "crop": [window.min.x, window.max.x, window.min.y, window.max.y],
+            "spp": film.spp,
+            "triangles": report.triangles,
+            "nodes": report.nodes,
+            "camera": scene.active,
+            "seed": scene.render.seed,
+            "integrator": integrator(scene.render.integrator),
+            "max_depth": scene.render.max_depth,
+            "roulette": scene.render.roulette,
+            "energy": energy(scene.render.energy),
+            "exposure": scene.film.exposure,
+            "repeat": self.repeat(),
+            "interrupted": self.interrupted,
+            "seconds": {
+                "start": self.seconds.start,
+                "load": self.seconds.load,
+                "build": report.seconds_build,
+                "trace": report.seconds_trace,
+                "total": self.seconds.total,
+            },
+            "samples": report.samples,
+            "rays": report.rays,
+            "rays_per_second": self.rays_per_second(),
+            "mean": film.mean,
+            "relative_error": film.relative_error,
+            "bad_samples": report.bad_samples,
+            "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
+            "passes": passes,
+            "outputs": outputs,
+        })
+    }
+
+    fn bad_sample(&self, bad: &BadSample) -> Value {
+        let width = self.film.size.x.max(1);
+        json!({
+            "pixel": [bad.pixel % width, bad.pixel / width],
+            "sample": bad.sample,
+            "bounce": bad.bounce,
+            "material": bad.material,
+            "kind": bad.kind,
+        })
+    }
+
+    fn rays_per_second(&self) -> f64 {
+        match self.report.seconds_trace {
+            seconds if seconds > 0.0 => self.report.rays as f64 / seconds,
+            _ => 0.0,
+        }
+    }
+
+    /// A few lines for people.
+    pub fn text(&self, outputs: &[String], stats: bool) -> String {
+        let (film, report) = (self.film, self.report);
+        let size = film.window.size();
+        let mut text = format!(
+            "{}: {}x{}, {} spp, {} triangles, {:.2} s ({:.2} Mrays/s), estimated relMSE {:.2e}\n",
+            self.description.name,
+            size.x,
+            size.y,
+            film.spp,
+            report.triangles,
+            self.seconds.total,
+            self.rays_per_second() * 1e-6,
+            film.relative_error,
+        );
+        if stats {
+            text += &self.stats();
+        }
+        for output in outputs {
+            text += &format!("  {output}\n");
+        }
+        text
+    }
+
+    fn stats(&self) -> String {
+        let (report, seconds) = (self.report, self.seconds);
+        let mut text = format!(
+            "  {}\n  start {:.3} s, load {:.3} s, build {:.3} s, trace {:.3} s, total {:.3} s\n  \
+             {} rays, {} samples, {} bad\n",
+            report.adapter,
+            seconds.start,
+            seconds.load,
+            report.seconds_build,
+            report.seconds_trace,
+            seconds.total,
+            report.rays,
+            report.samples,
+            report.bad_samples,
+        );
+        if report.passes.is_empty() {
+            text += "  this adapter can't time passes\n";
+        }
+        for pass in &report.passes {
+            text += &format!("  {:<16} {:>8} x {:>12.3} ms\n", pass.name, pass.count, pass.milliseconds);
+        }
+        text
+    }
+}
+
+fn crop(window: Crop) -> String {
+    format!("{},{},{},{}", window.min.x, window.max.x, window.min.y, window.max.y)
+}
+
+fn integrator(integrator: Integrator) -> &'static str {
+    match integrator {
+        Integrator::Bsdf => "bsdf",
+    }
+}
+
+fn energy(energy: Energy) -> &'static str {
+    match energy {
+        Energy::Preserve => "Preserve",
+        Energy::AsWritten => "AsWritten",
+    }
+}
+
+fn switch(on: bool) -> &'static str {
+    if on { "on" } else { "off" }
+}
+
+/// A word as a POSIX shell takes it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+%@".contains(c);
+    if !word.is_empty() && word.chars().all(plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+}
