@@ -13,7 +13,7 @@ from vector import add, mul, unit
 
 # Below the ceiling by 0.2 % of the room: a plane of its own for the tracer, no gap for the eye.
 LIGHT_HEIGHT = 0.996
-LIGHT_HALF = 0.25
+LIGHT_HALF = 0.35
 
 BOX_CENTRE = (-0.36, -1.0, -0.36)
 BOX_HALF = 0.29

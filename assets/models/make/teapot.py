@@ -227,8 +227,8 @@ def main():
     teapot(obj)
     plinth(obj)
     studio(obj)
-    panel(obj, "key", "key_light", (13.0, 19.0, 13.0), (0.0, 2.0, 0.0), 13.0, 13.0)
-    panel(obj, "back", "rim_light", (-9.0, 13.0, -16.0), (0.0, 2.5, 0.0), 5.0, 14.0)
+    panel(obj, "key", "key_light", (14.0, 20.0, 12.0), (0.0, 2.0, 0.0), 18.0, 18.0)
+    panel(obj, "back", "rim_light", (-10.0, 14.0, -17.0), (0.0, 2.5, 0.0), 8.0, 18.0)
     obj.write(Path(__file__).resolve().parent.parent / "teapot.obj")
 
 
