@@ -43,7 +43,7 @@ pub enum Command {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES)]
+#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
 pub struct RenderArguments {
     /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
     pub scene: String,
@@ -57,7 +57,7 @@ pub struct RenderArguments {
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<UVec2>,
     /// Render this part only: pixels from X0 up to but not X1, from Y0 up to but not Y1, from the top left
-    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = crop)]
+    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = crop, allow_hyphen_values = true)]
     pub crop: Option<Crop>,
     /// A camera of the scene, by its name
     #[arg(long, value_name = "NAME")]
@@ -108,6 +108,14 @@ pub enum BenchCommand {
         /// Numbers of pairs
         #[arg(long = "n", value_name = "N,..", value_delimiter = ',', value_parser = count, default_value = "1Mi,8Mi")]
         counts: Vec<u32>,
+        #[command(flatten)]
+        how: BenchArguments,
+    },
+    /// Build the tree of generated triangles
+    Build {
+        /// Numbers of triangles
+        #[arg(long, value_name = "N,..", value_delimiter = ',', value_parser = count, default_value = "100k,1M")]
+        triangles: Vec<u32>,
         #[command(flatten)]
         how: BenchArguments,
     },
@@ -169,9 +177,7 @@ fn size(text: &str) -> Result<UVec2, String> {
 fn crop(text: &str) -> Result<Crop, String> {
     let numbers: Option<Vec<u32>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
     match numbers.as_deref() {
-        Some(&[x0, x1, y0, y1]) if x0 < x1 && y0 < y1 => {
-            Ok(Crop { min: UVec2::new(x0, y0), max: UVec2::new(x1, y1) })
-        }
+        Some(&[x0, x1, y0, y1]) if x0 < x1 && y0 < y1 => Ok(Crop { min: UVec2::new(x0, y0), max: UVec2::new(x1, y1) }),
         _ => Err("expected X0,X1,Y0,Y1 in pixels, with X0 < X1 and Y0 < Y1".into()),
     }
 }
@@ -183,7 +189,7 @@ fn count(text: &str) -> Result<u32, String> {
         units.iter().find_map(|(suffix, unit)| Some((text.strip_suffix(suffix)?, *unit))).unwrap_or((text, 1));
     let number = digits.replace('_', "").parse::<u64>().ok().and_then(|n| n.checked_mul(unit));
     match number.and_then(|n| u32::try_from(n).ok()) {
-        Some(n) if n >= 1 && n <= 1 << 30 => Ok(n),
+        Some(n) if (1..=1 << 30).contains(&n) => Ok(n),
         _ => Err("expected a whole number from 1 to 1024Mi, such as 1000000, 1M or 1Mi (2^20)".into()),
     }
 }
@@ -209,6 +215,7 @@ impl BenchCommand {
         let gpu = Gpu::open()?;
         match self {
             BenchCommand::Sort { counts, how } => bench::sort::run(gpu, &counts, how.runs, how.json)?,
+            BenchCommand::Build { triangles, how } => bench::build::run(gpu, &triangles, how.runs, how.json)?,
         }
         Ok(Exit::Done)
     }

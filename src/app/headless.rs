@@ -57,14 +57,18 @@ pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Fai
         output::note("interrupted before the first sample: nothing was written");
         return Ok(Exit::Interrupted);
     }
-    let seconds = Seconds {
-        start: start.as_secs_f64(),
-        load: load.as_secs_f64(),
-        total: started.elapsed().as_secs_f64(),
-    };
+    let seconds =
+        Seconds { start: start.as_secs_f64(), load: load.as_secs_f64(), total: started.elapsed().as_secs_f64() };
     let interrupted = ended == Ended::Interrupted;
-    let account =
-        Account { arguments, path: &path, description: &description, film: &film, report: &report, seconds, interrupted };
+    let account = Account {
+        arguments,
+        path: &path,
+        description: &description,
+        film: &film,
+        report: &report,
+        seconds,
+        interrupted,
+    };
     save_and_tell(&account, &outputs)?;
     Ok(if interrupted { Exit::Interrupted } else { Exit::Done })
 }
@@ -160,7 +164,8 @@ fn adjust(description: &mut SceneDescription, arguments: &RenderArguments) -> Re
             Some(_) => ("--crop", "choose a part of the picture, or a larger --size"),
             None => ("the scene's crop", "give a --crop that fits the --size"),
         };
-        let message = format!("{message} {x0},{x1},{y0},{y1} reaches beyond the picture of {}x{}", film.size.x, film.size.y);
+        let message =
+            format!("{message} {x0},{x1},{y0},{y1} reaches beyond the picture of {}x{}", film.size.x, film.size.y);
         return Err(Failure::usage(message, help));
     }
     // With a time alone, the scene's own number of samples is no limit.

@@ -9,13 +9,18 @@ use super::Failure;
 #[error("can't write to stdout: {0}")]
 struct Unwritten(std::io::Error);
 
-/// Prints text to stdout. A closed pipe is taken as "enough".
-pub fn print(text: &str) -> Result<(), Failure> {
+/// Writes text to stdout. A closed pipe is taken as "enough".
+pub fn write(text: &str) -> std::io::Result<()> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::of(Unwritten(error))),
-        _ => Ok(()),
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        result => result,
     }
+}
+
+/// Writes a result to stdout.
+pub fn print(text: &str) -> Result<(), Failure> {
+    write(text).map_err(|error| Failure::of(Unwritten(error)))
 }
 
 /// Prints a line to stderr, if anybody is there.

@@ -40,8 +40,7 @@ impl Account<'_> {
     /// machine.
     pub fn metadata(&self) -> Vec<(&'static str, String)> {
         let scene = self.description;
-        let defines: Vec<String> =
-            self.arguments.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
+        let defines: Vec<String> = self.arguments.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
         vec![
             ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
             ("scene", self.path.display().to_string()),
@@ -221,5 +220,9 @@ fn switch(on: bool) -> &'static str {
 /// A word as a POSIX shell takes it.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+%@".contains(c);
-    if !word.is_empty() && word.chars().all(plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+    if !word.is_empty() && word.chars().all(plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', "'\\''"))
+    }
 }

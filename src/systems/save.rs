@@ -165,9 +165,11 @@ fn write_exr(picture: &Picture, out: &mut (impl Write + Seek)) -> std::io::Resul
         let [r, g, b] = picture.linear[at.y() * width + at.x()];
         (r, g, b)
     };
-    let mut attributes = LayerAttributes::default();
-    attributes.layer_position = Vec2(signed(picture.window.min.x), signed(picture.window.min.y));
-    attributes.software_name = Some(Text::from(concat!("Lucerna ", env!("CARGO_PKG_VERSION"))));
+    let mut attributes = LayerAttributes {
+        layer_position: Vec2(signed(picture.window.min.x), signed(picture.window.min.y)),
+        software_name: Some(Text::from(concat!("Lucerna ", env!("CARGO_PKG_VERSION")))),
+        ..LayerAttributes::default()
+    };
     let metadata: serde_json::Map<_, _> =
         picture.metadata.iter().map(|(key, value)| ((*key).to_owned(), value.as_str().into())).collect();
     let text = serde_json::Value::Object(metadata).to_string();

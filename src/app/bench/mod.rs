@@ -9,6 +9,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use super::output;
 use crate::gpu::{GpuError, Runtime};
 use crate::passes::Recording;
 
@@ -27,6 +28,8 @@ pub enum BenchError {
     Wrong(String),
     #[error("no JSON: {0}")]
     Json(#[from] serde_json::Error),
+    #[error("can't write to stdout: {0}")]
+    Print(#[from] std::io::Error),
 }
 
 /// Statistics of one quantity over the runs, in milliseconds.
@@ -108,15 +111,14 @@ impl Case {
 impl BenchReport {
     /// Prints all cases to stdout, as a table or as one JSON object.
     pub fn print(&self, json: bool) -> Result<(), BenchError> {
-        if json {
-            println!("{}", serde_json::to_string(self)?);
-            return Ok(());
-        }
-        println!("{}: {}, {} runs", self.bench, self.adapter, self.runs);
-        for case in &self.cases {
-            println!("\n{}", case.table());
-        }
-        Ok(())
+        let text = if json { serde_json::to_string(self)? + "\n" } else { self.table() };
+        Ok(output::write(&text)?)
+    }
+
+    fn table(&self) -> String {
+        let head = format!("{}: {}, {} runs\n", self.bench, self.adapter, self.runs);
+        let cases = self.cases.iter().map(|case| format!("\n{}", case.table()));
+        std::iter::once(head).chain(cases).collect()
     }
 }
 
