@@ -1,13 +1,11 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
 mod bsdf;
-mod display;
-mod extend;
-mod engine;
-mod film;
 mod cli;
+mod display;
 mod engine;
 mod extend;
+mod film;
 mod intersect;
 mod law;
 mod layout;

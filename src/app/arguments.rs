@@ -119,6 +119,14 @@ pub enum BenchCommand {
         #[command(flatten)]
         how: BenchArguments,
     },
+    /// Ask for hits: primary and diffuse-bounce rays into generated spheres and terrain
+    Extend {
+        /// Numbers of triangles
+        #[arg(long, value_name = "N,..", value_delimiter = ',', value_parser = count, default_value = "100k,1M")]
+        triangles: Vec<u32>,
+        #[command(flatten)]
+        how: BenchArguments,
+    },
 }
 
 #[derive(Debug, Args)]
@@ -216,6 +224,7 @@ impl BenchCommand {
         match self {
             BenchCommand::Sort { counts, how } => bench::sort::run(gpu, &counts, how.runs, how.json)?,
             BenchCommand::Build { triangles, how } => bench::build::run(gpu, &triangles, how.runs, how.json)?,
+            BenchCommand::Extend { triangles, how } => bench::extend::run(gpu, &triangles, how.runs, how.json)?,
         }
         Ok(Exit::Done)
     }
