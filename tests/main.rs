@@ -3,6 +3,7 @@
 mod bsdf;
 mod cli;
 mod display;
+mod edits;
 mod engine;
 mod extend;
 mod film;

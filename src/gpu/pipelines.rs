@@ -135,7 +135,11 @@ fn compile(
             layout: Some(&pipeline_layout),
             module: &module,
             entry_point: Some(pass.entry),
-            compilation_options: Default::default(),
+            // Every shipped kernel writes its workgroup memory before it reads it.
+            compilation_options: wgpu::PipelineCompilationOptions {
+                zero_initialize_workgroup_memory: false,
+                ..Default::default()
+            },
             cache: None,
         });
         Pipeline { compute, layout, entry, serial }

@@ -78,6 +78,10 @@ fn accumulate(
     @builtin(num_workgroups) groups: vec3<u32>,
     @builtin(local_invocation_index) local: u32,
 ) {
+    if (local == 0u) {
+        atomicStore(&group_rays, 0u);
+    }
+    workgroupBarrier();
     let pixel = (group.x + group.y * groups.x) * 64u + local;
     if (pixel < params.window_width * params.window_height) {
         atomicAdd(&group_rays, add_layers(pixel));

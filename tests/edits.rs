@@ -1,0 +1,230 @@
+//! The law of edits: whatever was done to a scene, its film is, bit for bit, that of the resulting scene opened fresh.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+
+use bevy_ecs::prelude::*;
+use glam::{DAffine3, DQuat, DVec3, UVec2, Vec3};
+use lucerna::Engine;
+use lucerna::components::{
+    Active, Camera, Crop, Energy, Environment, Film, Geometry, Material, MeshData, Name, Render, Transform,
+    UsesMaterial,
+};
+use lucerna::layout::film::FilmPixel;
+use lucerna::scene::{self, MeshEntry, SceneDescription};
+use lucerna::shader::Library;
+
+use crate::support;
+
+/// A splitmix64 stream: edits need no more than to be many and always the same.
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self, sides: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) % sides
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.roll(1 << 20) as f64 / f64::from(1 << 20)
+    }
+
+    fn pick<'a, T>(&mut self, items: &'a [T]) -> &'a T {
+        &items[self.roll(items.len() as u64) as usize]
+    }
+}
+
+/// A description of what the world holds now: what a fresh engine is opened from.
+fn describe(world: &mut World) -> SceneDescription {
+    let key = |name: &Name| name.as_str().to_owned();
+    let materials: Vec<(Entity, String, Material)> =
+        world.query::<(Entity, &Name, &Material)>().iter(world).map(|(e, n, m)| (e, key(n), m.clone())).collect();
+    let names: BTreeMap<Entity, String> = materials.iter().map(|(e, n, _)| (*e, n.clone())).collect();
+    let mut meshes = world.query::<(&Name, &Geometry, &Transform, &UsesMaterial)>();
+    let meshes = meshes.iter(world).map(|(name, geometry, transform, uses)| {
+        let entry = MeshEntry { geometry: geometry.0.clone(), transform: *transform, material: names[&uses.0].clone() };
+        (key(name), entry)
+    });
+    let meshes = meshes.collect();
+    let cameras = world.query::<(&Name, &Camera)>().iter(world).map(|(n, c)| (key(n), *c)).collect();
+    let active = world.query_filtered::<&Name, With<Active>>().iter(world).map(key).next().unwrap();
+    let (film, render) = world.query::<(&Film, &Render)>().iter(world).map(|(f, r)| (*f, *r)).next().unwrap();
+    let environment = world.query::<&Environment>().iter(world).next().cloned();
+    SceneDescription {
+        name: "edited".to_owned(),
+        meshes,
+        materials: materials.into_iter().map(|(_, n, m)| (n, m)).collect(),
+        cameras,
+        active,
+        film,
+        render,
+        environment,
+    }
+}
+
+fn all<T: Component>(world: &mut World) -> Vec<Entity> {
+    let mut found: Vec<_> =
+        world.query_filtered::<(&Name, Entity), With<T>>().iter(world).map(|(n, e)| (n.to_string(), e)).collect();
+    found.sort();
+    found.into_iter().map(|(_, entity)| entity).collect()
+}
+
+/// One random edit. Returns what it was, for the message of a failure.
+fn edit(world: &mut World, dice: &mut Dice, file: &SceneDescription) -> &'static str {
+    match dice.roll(13) {
+        0 => {
+            let camera = *dice.pick(&all::<Camera>(world));
+            world.get_mut::<Camera>(camera).unwrap().position += DVec3::new(dice.unit() - 0.5, dice.unit() - 0.5, 0.0);
+            "camera"
+        }
+        1 | 2 => {
+            let material = *dice.pick(&all::<Material>(world));
+            let mut material = world.get_mut::<Material>(material).unwrap();
+            material.kd = Vec3::new(dice.unit() as f32, 0.5, 0.25);
+            material.emission = if dice.roll(3) == 0 { Vec3::splat(dice.unit() as f32 * 8.0) } else { Vec3::ZERO };
+            "material"
+        }
+        3 => {
+            let material = *dice.pick(&all::<Material>(world));
+            world.get_mut::<Material>(material).unwrap().ks = Vec3::splat(dice.roll(2) as f32 * 0.4);
+            "lobe"
+        }
+        4 | 5 => {
+            let mesh = *dice.pick(&all::<Geometry>(world));
+            let turn = DQuat::from_rotation_y(dice.unit());
+            let far = if dice.roll(6) == 0 { 1e4 } else { 0.3 };
+            let place = DVec3::new(dice.unit() * far, 0.1 * dice.unit(), 0.0);
+            world.get_mut::<Transform>(mesh).unwrap().0 = DAffine3::from_rotation_translation(turn, place);
+            "transform"
+        }
+        6 => {
+            let like = *dice.pick(&all::<Geometry>(world));
+            let material = *dice.pick(&all::<Material>(world));
+            let geometry = world.get::<Geometry>(like).unwrap().clone();
+            let name = Name::new(format!("spawned/{}", dice.roll(1 << 40)));
+            let place = Transform(DAffine3::from_translation(DVec3::splat(dice.unit() - 0.5)));
+            world.spawn((name, geometry, place, UsesMaterial(material)));
+            "spawn"
+        }
+        7 => {
+            let meshes = all::<Geometry>(world);
+            if meshes.len() > 1 {
+                world.despawn(*dice.pick(&meshes));
+            }
+            "despawn"
+        }
+        8 => {
+            let mesh = *dice.pick(&all::<Geometry>(world));
+            let material = *dice.pick(&all::<Material>(world));
+            world.get_mut::<UsesMaterial>(mesh).unwrap().0 = material;
+            "another material"
+        }
+        9 => {
+            scene::apply(world, file);
+            "scene file again"
+        }
+        10 => {
+            let film = all::<Film>(world)[0];
+            let mut film = world.get_mut::<Film>(film).unwrap();
+            film.size = UVec2::new(8 + dice.roll(16) as u32, 8 + dice.roll(16) as u32);
+            film.crop = (dice.roll(2) == 0).then_some(Crop { min: UVec2::new(1, 2), max: UVec2::new(7, 5) });
+            "film"
+        }
+        11 => {
+            let render = all::<Render>(world)[0];
+            let mut render = world.get_mut::<Render>(render).unwrap();
+            render.seed = dice.roll(1 << 32) as u32;
+            render.roulette = dice.roll(2) == 0;
+            render.max_depth = 1 + dice.roll(8) as u32;
+            render.spp = 1 + dice.roll(3) as u32;
+            render.energy = if dice.roll(2) == 0 { Energy::Preserve } else { Energy::AsWritten };
+            "settings"
+        }
+        _ => {
+            let skies = all::<Environment>(world);
+            match skies.first() {
+                Some(sky) => {
+                    world.despawn(*sky);
+                }
+                None => {
+                    world.spawn((Name::new("sky"), Environment::Constant(Vec3::splat(dice.unit() as f32))));
+                }
+            }
+            "sky"
+        }
+    }
+}
+
+fn pixels(engine: &mut Engine) -> Vec<FilmPixel> {
+    while !engine.step(Duration::from_secs(1)).unwrap().finished {}
+    engine.film().unwrap().pixels
+}
+
+#[test]
+fn a_hundred_edits_end_where_a_fresh_engine_begins() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes/cornell-box.ron");
+    let small = [("film.size", "(20,16)"), ("render.spp", "2"), ("render.max_depth", "4")];
+    let small = small.map(|(k, v)| (k.to_owned(), v.to_owned()));
+    let file = scene::load(&path, &small).unwrap().description;
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &file).unwrap();
+    let mut dice = Dice(1);
+    let mut lit = 0;
+    for i in 0..100 {
+        let what = engine.edit(|world| edit(world, &mut dice, &file));
+        // Half of the edits meet a film that is under way or finished, half come one upon another.
+        if dice.roll(2) == 0 {
+            engine.step(Duration::from_millis(1)).unwrap();
+        }
+        if i % 5 != 4 {
+            continue;
+        }
+        let edited = pixels(&mut engine);
+        let description = engine.edit(describe);
+        let fresh = pixels(&mut Engine::open(support::gpu(), Library::shipped(), &description).unwrap());
+        assert!(edited == fresh, "after edit {i}, {what}, {} pixels differ", count_different(&edited, &fresh));
+        lit += usize::from(edited.iter().any(|p| p.halves[0].sum[0] != glam::UVec2::ZERO));
+    }
+    assert!(lit >= 10, "only {lit} of 20 films saw any light: black films prove nothing");
+}
+
+fn count_different(a: &[FilmPixel], b: &[FilmPixel]) -> usize {
+    if a.len() == b.len() { a.iter().zip(b).filter(|(a, b)| a != b).count() } else { a.len().max(b.len()) }
+}
+
+#[test]
+fn a_scene_far_from_zero_is_the_scene_at_zero() {
+    // Powers of two, so that no coordinate is rounded: then the origin takes the whole shift away.
+    let quad = |z: f64| {
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let positions = corners.map(|(x, y)| DVec3::new(x, y, z)).to_vec();
+        Arc::new(MeshData { positions, triangles: vec![[0, 1, 2], [0, 2, 3]], ..Default::default() })
+    };
+    let film = |shift: DVec3| {
+        let place = Transform(DAffine3::from_translation(shift));
+        let entry =
+            |z: f64, material: &str| MeshEntry { geometry: quad(z), transform: place, material: material.into() };
+        let lamp = Material { emission: Vec3::splat(3.0), ..Default::default() };
+        let description = SceneDescription {
+            name: "far".into(),
+            meshes: [("a".into(), entry(-0.5, "grey")), ("b".into(), entry(4.0, "lamp"))].into(),
+            materials: [("grey".into(), Material::default()), ("lamp".into(), lamp)].into(),
+            cameras: [(
+                "front".into(),
+                Camera { position: shift + DVec3::Z * 2.0, look_at: shift, up: DVec3::Y, fov_y: 50.0 },
+            )]
+            .into(),
+            active: "front".into(),
+            film: Film { size: UVec2::splat(16), ..Default::default() },
+            render: Render { spp: 8, ..Default::default() },
+            environment: None,
+        };
+        pixels(&mut Engine::open(support::gpu(), Library::shipped(), &description).unwrap())
+    };
+    let near = film(DVec3::ZERO);
+    assert!(near.iter().any(|p| p.halves[0].sum[0] != UVec2::ZERO));
+    assert!(film(DVec3::new(2f64.powi(20), -(2f64.powi(21)), 2f64.powi(22))) == near);
+}
