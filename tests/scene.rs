@@ -154,6 +154,7 @@ const WRONG: &[(&str, u32, u32, &str)] = &[
         75,
         "did you mean `front`",
     ),
+    ("(camera: \"front\")", 1, 10, "there is no camera `front`; known here: default"),
     ("(models: [(path: \"nothing.obj\")])", 1, 18, "there is no file"),
     ("(models: [(path: \"scene.ron\")])", 1, 18, "is no .obj file"),
     ("(models: [(name: \"a\")])", 1, 11, "the field `path` is missing"),

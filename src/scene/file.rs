@@ -9,6 +9,9 @@ use super::ron::{Fields, Kind, Node, Reader};
 use super::suggest::known_names;
 use crate::components::{Camera, Crop, Energy, Environment, Film, Integrator, Material, Render};
 
+/// The camera of scenes that have none.
+pub const DEFAULT_CAMERA: &str = "default";
+
 /// A scene file, typed; models are not read yet.
 #[derive(Debug, Default)]
 pub struct SceneFile {
@@ -88,13 +91,7 @@ pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
     if let Some(node) = fields.get("cameras") {
         file.cameras = read_map(reader, node, "cameras", read_camera).into_iter().collect();
     }
-    file.active = fields.read("camera", |node| {
-        let name = node.string()?;
-        if file.cameras.is_empty() || file.cameras.contains_key(&name) {
-            return Ok(name);
-        }
-        Err(format!("there is no camera `{name}`; {}", known_names(&name, file.cameras.keys().map(String::as_str))))
-    });
+    file.active = fields.read("camera", |node| choose_camera(reader, node, &file.cameras));
     if let Some(node) = fields.get("film") {
         file.film = read_film(reader, node).unwrap_or_default();
     }
@@ -113,6 +110,18 @@ pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
     }
     fields.finish();
     file
+}
+
+/// The name of one of the cameras, or of the one that a scene without cameras gets.
+fn choose_camera(reader: &Reader, node: &Node, cameras: &BTreeMap<String, Camera>) -> Result<String, String> {
+    let name = node.string()?;
+    let known = || cameras.keys().map(String::as_str).chain(cameras.is_empty().then_some(DEFAULT_CAMERA));
+    // A camera that is missing for its own errors was reported already.
+    if known().any(|camera| camera == name) || reader.has_errors() {
+        return Ok(name);
+    }
+    let help = known_names(&name, known().collect::<Vec<_>>());
+    Err(format!("there is no camera `{name}`; {help}"))
 }
 
 /// The entries of a list, those that are right.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3, Vec3};
 
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
-use super::file::{MaterialEntry, ModelEntry, SceneFile, read_scene};
+use super::file::{DEFAULT_CAMERA, MaterialEntry, ModelEntry, SceneFile, read_scene};
 use super::obj::{Model, read_obj};
 use super::ron::{Reader, apply_defines, define_texts, parse};
 use super::suggest::known_names;
@@ -154,6 +154,7 @@ impl Loader {
         }
         if !path.exists() && entry.place.line > 0 {
             let message = format!("there is no file `{}`", path.display());
+            self.files.push(path);
             let help = "the path is relative to the folder of the scene file";
             return self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help(help));
         }
@@ -251,7 +252,7 @@ fn default_camera(meshes: &BTreeMap<String, MeshEntry>, file: &SceneFile) -> BTr
     let half = (fov_y.to_radians() / 2.0).tan() * aspect.min(1.0);
     let distance = radius / half.atan().sin();
     let position = centre + DVec3::new(0.4, 0.3, 1.0).normalize() * distance;
-    BTreeMap::from([("default".to_owned(), Camera { position, look_at: centre, up: DVec3::Y, fov_y })])
+    BTreeMap::from([(DEFAULT_CAMERA.to_owned(), Camera { position, look_at: centre, up: DVec3::Y, fov_y })])
 }
 
 /// What meshes get that name no material, or one that no library has.

@@ -20,7 +20,7 @@ fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Option<
     known
         .into_iter()
         .map(|name| (distance(&wrong, &name.chars().take(64).flat_map(char::to_lowercase).collect::<Vec<_>>()), name))
-        .filter(|(distance, name)| *distance <= limit && *distance < name.chars().count())
+        .filter(|(distance, name)| *distance <= limit && *distance < wrong.len().max(name.chars().count()))
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, name)| name)
 }

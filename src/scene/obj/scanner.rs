@@ -105,6 +105,10 @@ impl<'l, R: BufRead> Scanner<'l, R> {
             if self.ended || self.faces.is_full() {
                 self.faces.flush(&mut self.out);
             }
+            if self.errors > 0 {
+                // The model is lost: read on for further messages, and give tobj no more work.
+                self.out.clear();
+            }
         }
     }
 
@@ -217,7 +221,7 @@ impl<'l, R: BufRead> Scanner<'l, R> {
             return Err(line.error(key, format!("more than {MAX_COUNT} triangles")).help("split the model into files"));
         }
         self.warn_of_face(line, key);
-        if !self.faces.add(&self.corners) {
+        if self.errors == 0 && !self.faces.add(&self.corners) {
             self.ended = true;
             return Err(line.error(key, "too many objects and groups").help("join some of them before export"));
         }

@@ -23,6 +23,11 @@ impl Reader {
         self.diagnostics.borrow_mut().push(diagnostic);
     }
 
+    /// Whether an error was reported.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.borrow().has_errors()
+    }
+
     /// Everything that was reported.
     pub fn into_diagnostics(self) -> Diagnostics {
         self.diagnostics.into_inner()

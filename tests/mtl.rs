@@ -1,0 +1,170 @@
+//! MTL files: values, policies, and a located warning for each line that is not honoured.
+
+use glam::Vec3;
+use lucerna::components::Material;
+use lucerna::scene::{Diagnostic, Severity, load};
+
+/// Reads a library through an OBJ file that uses its material `a`.
+fn read(mtl: &str) -> (Material, Vec<Diagnostic>) {
+    read_named("a", mtl)
+}
+
+fn read_named(name: &str, mtl: &str) -> (Material, Vec<Diagnostic>) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let obj = format!("mtllib my materials.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl {name}\nf 1 2 3\n");
+    std::fs::write(folder.path().join("m.obj"), obj).expect("a file");
+    std::fs::write(folder.path().join("my materials.mtl"), mtl).expect("a file");
+    std::fs::write(folder.path().join("there is one.png"), "").expect("a file");
+    let loaded = load(&folder.path().join("m.obj"), &[]).unwrap_or_else(|errors| panic!("{errors}"));
+    let material = loaded.description.materials[&format!("m:{name}")].clone();
+    (material, loaded.warnings)
+}
+
+#[test]
+fn a_whole_material_arrives_without_warnings() {
+    let (material, warnings) = read(
+        "# a comment\nnewmtl other\nKd 0 0 0\n\nnewmtl a\nKd 0.1 0.2 0.3\nKs 0.4 0.5 0.6\nNs 33\nKe 1 2 3\nNi 1.5\nd 1\n\
+         Tr 0\nTf 1 1 1\nillum 2\n",
+    );
+    assert!(warnings.is_empty(), "{warnings:?}");
+    assert_eq!(material.kd, Vec3::new(0.1, 0.2, 0.3));
+    assert_eq!(material.ks, Vec3::new(0.4, 0.5, 0.6));
+    assert_eq!(material.ns, 33.0);
+    assert_eq!(material.emission, Vec3::new(1.0, 2.0, 3.0));
+    assert_eq!((material.ni, material.dissolve, material.tf, material.illum), (1.5, 1.0, Vec3::ONE, 2));
+    assert!(!material.one_sided);
+}
+
+#[test]
+fn one_value_is_grey() {
+    let (material, warnings) = read("newmtl a\nKd 0.5\n");
+    assert_eq!(material.kd, Vec3::splat(0.5));
+    assert!(warnings.is_empty(), "{warnings:?}");
+}
+
+#[test]
+fn what_is_not_given_is_black_unless_nothing_is() {
+    assert_eq!(read("newmtl a\nKs 1 1 1\n").0.kd, Vec3::ZERO);
+    let (material, warnings) = read("newmtl a\nNs 3\n");
+    assert_eq!(material.kd, Vec3::splat(0.6));
+    assert!(warnings[0].message.contains("rendered grey"), "{warnings:?}");
+    // A map is multiplied by Kd, which is then 1.
+    assert_eq!(read("newmtl a\nmap_Kd there is one.png\n").0.kd, Vec3::ONE);
+}
+
+#[test]
+fn emission_is_ke_or_le() {
+    assert_eq!(read("newmtl a\nKe 1 1 1\n").0.emission, Vec3::ONE);
+    assert_eq!(read("newmtl a\nKd 1 1 1\nLe 2 2 2\n").0.emission, Vec3::splat(2.0));
+    assert_eq!(read("newmtl a\nKe 1 1 1\nLe 2 2 2\n").0.emission, Vec3::ONE);
+    assert_eq!(read_named("a_light", "newmtl a_light\nKe 1 1 1\nLe 2 2 2\n").0.emission, Vec3::splat(2.0));
+    assert_eq!(read_named("a_light", "newmtl a_light\nKe 1 1 1\nLe 0 0 0\n").0.emission, Vec3::ONE);
+    let (_, warnings) = read_named("a_light", "newmtl a_light\nKd 1 1 1\n");
+    assert!(warnings[0].message.contains("emits nothing"), "{warnings:?}");
+}
+
+#[test]
+fn tr_counts_only_without_d() {
+    let dissolve = |text: &str| read(&format!("newmtl a\nKd 1 1 1\n{text}\n")).0.dissolve;
+    assert_eq!(dissolve("d 0.25"), 0.25);
+    assert_eq!(dissolve("Tr 0.25"), 0.75);
+    assert_eq!(dissolve("Tr 0.25\nd 0.5"), 0.5);
+    assert_eq!(dissolve("d 0.5\nTr 0.5"), 0.5);
+    assert_eq!(dissolve("d -halo 0.5"), 0.5);
+}
+
+#[test]
+fn maps_are_kept_with_spaces_backslashes_and_without_options() {
+    let (material, warnings) =
+        read("newmtl a\nKd 1 1 1\nmap_Kd -s 2 2 -clamp on  there is one.png\nbump -bm 0.5 x\\y.png\n");
+    assert!(material.maps.kd.unwrap().ends_with("there is one.png"));
+    assert!(material.maps.bump.unwrap().ends_with("x/y.png"));
+    let texts: Vec<&str> = warnings.iter().map(|found| found.message.as_str()).collect();
+    let options = texts.iter().filter(|text| text.contains("is not honoured yet")).count();
+    assert_eq!(options, 3, "{texts:?}");
+    assert_eq!(texts.iter().filter(|text| text.contains("there is no image")).count(), 1, "{texts:?}");
+    assert_eq!(texts.iter().filter(|text| text.contains("has textures")).count(), 1, "{texts:?}");
+}
+
+#[test]
+fn a_material_given_twice_is_the_later_one() {
+    let (material, warnings) = read("newmtl a\nKd 0 0 0\nKs 1 1 1\nnewmtl a\nKd 1 1 1\n");
+    assert_eq!((material.kd, material.ks), (Vec3::ONE, Vec3::ZERO));
+    assert_eq!((warnings[0].line, warnings[0].column), (4, 8));
+}
+
+/// A line after `newmtl a` and `Kd 0.5 0.5 0.5`, so the third; the column of its warning, and a part of the message.
+const DOUBTFUL: &[(&str, u32, &str)] = &[
+    ("Kd 1 2", 1, "needs three values, or one for grey, and has 2"),
+    ("Kd", 1, "and has 0"),
+    ("Kd 1 1 1 1", 10, "what follows is left out"),
+    ("Kd nan 0 0", 4, "`nan` is not a finite number"),
+    ("Kd 1e999 0 0", 4, "not a finite number"),
+    ("Kd one 0 0", 4, "`one` is not a finite number"),
+    ("Kd -1 0 0", 4, "taken as 0"),
+    ("Ke 1e9 0 0", 4, "taken as 1000000"),
+    ("Kd spectral file.rfl 1", 4, "spectral curves are not supported"),
+    ("Ks xyz 1 1 1", 4, "CIE XYZ"),
+    ("Ns", 1, "needs a value"),
+    ("Ns x", 4, "not a finite number"),
+    ("Ns 1e6", 4, "taken as 100000"),
+    ("Ns 1 2", 6, "has one value"),
+    ("Ni 0.5", 4, "taken as 1"),
+    ("d 2", 3, "taken as 1"),
+    ("d -halo 0.5", 3, "`-halo` is not honoured"),
+    ("d 0.5", 1, "is transparent"),
+    ("Tr 0.5", 1, "it is taken as `d 0.5`"),
+    ("Tf 0.5 1 1", 1, "filters what passes through"),
+    ("illum 11", 1, "from 0 to 10, not `11`"),
+    ("illum", 1, "from 0 to 10"),
+    ("illum -1", 1, "from 0 to 10"),
+    ("illum 7", 1, "illum 7"),
+    ("illum 10", 1, "shadow catcher"),
+    ("Ka 1 1 1", 1, "no meaning in path tracing"),
+    ("Pr 0.5", 1, "`Pr` is not honoured yet"),
+    ("Pm 0.5", 1, "`Pm` is not honoured yet"),
+    ("Kdd 1 1 1", 1, "did you mean `Kd`"),
+    ("something 1", 1, "unknown statement `something`"),
+    ("map_Kd", 1, "names no file"),
+    ("map_Kd -s 1 1 1", 15, "there is no image"),
+    ("map_Kd -foo x.png", 8, "unknown option"),
+    ("map_Kd none.png", 8, "there is no image"),
+    ("newmtl", 1, "without a name"),
+    ("Kd 0.1 \\\nnan 0", 0, "not a finite number"),
+];
+
+#[test]
+fn each_line_that_is_not_honoured_is_a_warning_at_its_place() {
+    for (text, column, message) in DOUBTFUL {
+        let (material, warnings) = read(&format!("newmtl a\nKd 0.5 0.5 0.5\n{text}\n"));
+        let found = warnings.iter().find(|found| found.to_string().contains(message));
+        let found = found.unwrap_or_else(|| panic!("{text}: {warnings:?}"));
+        assert_eq!(found.severity, Severity::Warning);
+        assert!(found.file.ends_with("my materials.mtl"));
+        let place = if *column == 0 { (4, 1) } else { (3, *column) };
+        assert_eq!((found.line, found.column), place, "{found}");
+        assert!(material.kd.is_finite() && material.ks.is_finite() && material.emission.is_finite());
+        if found.message.contains("left out") && text.starts_with("Kd") && !text.contains("1 1 1 1") {
+            assert_eq!(material.kd, Vec3::splat(0.5), "{text}");
+        }
+    }
+}
+
+#[test]
+fn statements_before_the_first_material_are_left_out() {
+    let (material, warnings) = read("Kd 1 0 0\nnewmtl a\nKd 0 1 0\n");
+    assert_eq!(material.kd, Vec3::Y);
+    assert!(warnings[0].to_string().contains(":1:1: warning: `Kd` stands before any `newmtl`"), "{warnings:?}");
+}
+
+#[test]
+fn a_library_that_is_no_text_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("m.obj"), "mtllib m.mtl\nv 0 0 0\nusemtl a\nf 1 1 1\n").unwrap();
+    std::fs::write(folder.path().join("m.mtl"), b"newmtl a\n\x80\x81").unwrap();
+    let errors = load(&folder.path().join("m.obj"), &[]).unwrap_err();
+    assert!(errors.to_string().contains("m.mtl:2:1: error: byte 0x80"), "{errors}");
+    std::fs::write(folder.path().join("m.mtl"), "").unwrap();
+    let loaded = load(&folder.path().join("m.obj"), &[]).unwrap();
+    assert!(loaded.warnings.iter().any(|found| found.message.contains("no material in this file")));
+}
