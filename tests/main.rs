@@ -4,6 +4,8 @@ mod bsdf;
 mod cli;
 mod display;
 mod edits;
+mod compile;
+mod display;
 mod engine;
 mod extend;
 mod film;

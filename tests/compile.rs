@@ -1,0 +1,65 @@
+//! Editing sampling code must show within a blink: the budget of compiling the kernel that holds it, cold.
+
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use glam::UVec2;
+
+use crate::rooms::{Room, trace_batch};
+use crate::support;
+
+/// From text to the first dispatch done: lavapipe on 2 cores, and a GPU.
+const BUDGETS: [Duration; 2] = [Duration::from_millis(400), Duration::from_millis(350)];
+
+/// The machine may be busy: two threads of one core, or its caches, shared with others. The least of several runs counts.
+const NOISE: f64 = 2.0;
+
+/// Times in the child's output.
+const MARK: &str = "path kernel, cold, milliseconds: ";
+
+/// Processor time of this process so far where the system tells it (in steps of 10 ms), else of the wall's clock.
+fn clock() -> Duration {
+    static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
+    let start = START.get_or_init(Instant::now);
+    let stat = std::fs::read_to_string("/proc/self/stat").ok().filter(|_| support::gpu().is_software());
+    let ticks = |stat: &str| {
+        let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
+        Some(fields.get(11)?.parse::<u64>().ok()? + fields.get(12)?.parse::<u64>().ok()?)
+    };
+    stat.and_then(|stat| ticks(&stat)).map_or_else(|| start.elapsed(), |ticks| Duration::from_millis(10 * ticks))
+}
+
+/// Links, compiles and first runs the kernel with every feature.
+fn compile() -> Duration {
+    let room = Room { roulette: true, ..Room::cornell() };
+    let mut rig = support::rig();
+    room.load(&mut rig);
+    let params = room.params(UVec2::splat(8));
+    rig.wait().unwrap();
+    let start = clock();
+    trace_batch(&mut rig, &params);
+    rig.wait().unwrap();
+    clock() - start
+}
+
+#[test]
+#[ignore = "runs in a process of its own, started by the test below"]
+fn compile_alone() {
+    let took: Vec<_> = (0..5).map(|_| compile().as_millis().to_string()).collect();
+    println!("\n{MARK}{}", took.join(" "));
+}
+
+#[test]
+fn the_path_kernel_compiles_within_its_budget() {
+    let child = Command::new(std::env::current_exe().unwrap())
+        .args(["compile::compile_alone", "--exact", "--ignored", "--nocapture"])
+        .envs([("MESA_SHADER_CACHE_DISABLE", "true"), ("__GL_SHADER_DISK_CACHE", "0")])
+        .output()
+        .unwrap();
+    let text = String::from_utf8_lossy(&child.stdout);
+    let times = text.lines().find_map(|line| line.strip_prefix(MARK)).unwrap_or_else(|| panic!("no times in: {text}"));
+    println!("{MARK}{times}");
+    let least = times.split(' ').map(|ms| ms.parse::<u64>().unwrap()).min().unwrap();
+    let budget = BUDGETS[usize::from(!support::gpu().is_software())].mul_f64(NOISE);
+    assert!(Duration::from_millis(least) <= budget, "the path kernel took {times} ms to compile, cold");
+}
