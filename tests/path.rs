@@ -338,6 +338,16 @@ fn bad_samples_say_where_they_went_wrong() {
 }
 
 #[test]
+fn dim_light_is_no_overflow() {
+    // The throughput of 1 is far above all radiance that such a film holds.
+    let room = furnace(0.5, 1e-12);
+    let mut rig = support::rig();
+    room.load(&mut rig);
+    let sample = samples(&mut rig, &inside(&room, UVec2::ONE, 2))[0];
+    assert!(sample.info == 2 && (sample.rgb.x / 1.5e-12 - 1.0).abs() < 1e-5, "{sample:?}");
+}
+
+#[test]
 fn a_broken_bsdf_is_reported_at_its_material() {
     let room = furnace(0.5, 1.0);
     let text = std::fs::read_to_string("shaders/lib/bsdf/mixture.wgsl").unwrap();

@@ -1,20 +1,28 @@
-// Directions from uniform numbers in [0, 1).
+// Directions from uniform numbers in [0, 1). A distribution gives the angle from its axis; the turn about it is uniform.
 
 import package::lib::math::{expm1_negative, frame_around, log1p_negative, sin_cos_turns};
 
-// Cosine-weighted about unit n: pdf cos / pi. Unit length; the cosine is at least 2^-12.
-fn sample_cosine(n: vec3<f32>, u: vec2<f32>) -> vec3<f32> {
-    let frame = frame_around(n);
-    let round = sin_cos_turns(u.y) * sqrt(u.x);
-    return normalize(frame.t * round.y + frame.b * round.x + n * sqrt(1.0 - u.x));
+// Cosine and sine of an angle.
+struct Angle {
+    cos: f32,
+    sin: f32,
 }
 
-// Phong lobe about unit r: cos(alpha) = (1 - u)^(1 / (n + 1)), pdf (n + 1) cos^n(alpha) / (2 pi). Near the axis 1 - cos
-// and sin are formed without cos, so that n = 1e5 keeps its shape.
-fn sample_phong(r: vec3<f32>, n: f32, u: vec2<f32>) -> vec3<f32> {
-    let one_minus_cos = -expm1_negative(log1p_negative(-u.x) / (n + 1.0));
-    let sin_alpha = sqrt(max(0.0, one_minus_cos * (2.0 - one_minus_cos)));
-    let frame = frame_around(r);
-    let round = sin_cos_turns(u.y) * sin_alpha;
-    return normalize(r - r * one_minus_cos + frame.t * round.y + frame.b * round.x);
+// Cosine-weighted: pdf cos / pi. The cosine is at least 2^-12.
+fn cosine_angle(u: f32) -> Angle {
+    return Angle(sqrt(1.0 - u), sqrt(u));
+}
+
+// Phong lobe: cos(alpha) = (1 - u)^(1 / (n + 1)), pdf (n + 1) cos^n(alpha) / (2 pi). The sine is formed without the cosine,
+// so that n = 1e5 keeps its shape near the axis.
+fn phong_angle(n: f32, u: f32) -> Angle {
+    let one_minus_cos = -expm1_negative(log1p_negative(-u) / (n + 1.0));
+    return Angle(1.0 - one_minus_cos, sqrt(max(0.0, one_minus_cos * (2.0 - one_minus_cos))));
+}
+
+// The direction at an angle from a unit axis, `turn` turns about it. Unit length.
+fn direction_around(axis: vec3<f32>, angle: Angle, turn: f32) -> vec3<f32> {
+    let frame = frame_around(axis);
+    let round = sin_cos_turns(turn) * angle.sin;
+    return normalize(axis * angle.cos + frame.t * round.y + frame.b * round.x);
 }

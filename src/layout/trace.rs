@@ -57,8 +57,8 @@ gpu_struct! {
         /// Rays traced so far.
         pub rays: u32,
         pub key: SampleKey,
-        /// What went wrong, a `BAD_` kind, or 0.
-        pub fault: u32,
+        /// 1 where `radiance` is not that but the number that went wrong.
+        pub faulty: u32,
         /// The material it went wrong at, or [`NO_MATERIAL`].
         pub fault_material: u32,
         pub pad0: u32,
@@ -160,14 +160,15 @@ impl MaterialRecord {
             EnergyRule::Preserve => (values.kd + values.ks).max_element().max(1.0),
             EnergyRule::AsWritten => 1.0,
         };
-        let (kd, ks) = (values.kd / scale, values.ks / scale);
+        // The sum turns -0.0 into 0.0: the kernel tells negative numbers by their sign.
+        let [kd, ks, emission] = [values.kd / scale, values.ks / scale, values.emission].map(|v| v + Vec3::ZERO);
         let (diffuse, glossy) = (luminance(kd), luminance(ks));
         Self {
             kd,
             ns: values.ns.clamp(0.0, 1e5),
             ks,
             flags: if values.one_sided { MATERIAL_ONE_SIDED } else { 0 },
-            emission: values.emission,
+            emission,
             glossy: if glossy > 0.0 { glossy / (diffuse + glossy) } else { 0.0 },
         }
     }

@@ -5,8 +5,8 @@ import package::gen::{MaterialRecord};
 @if(glossy) import package::lib::math::{cos_power};
 @if(glossy) import package::lib::bsdf::lambert::{lambert_pdf, lambert_value};
 @if(glossy) import package::lib::bsdf::phong::{phong_pdf, phong_value};
-import package::lib::sampling::{sample_cosine};
-@if(glossy) import package::lib::sampling::{sample_phong};
+import package::lib::sampling::{cosine_angle, direction_around};
+@if(glossy) import package::lib::sampling::{phong_angle};
 
 struct BsdfSample {
     // World space, unit length.
@@ -43,18 +43,19 @@ fn mixture_sample(
     u: vec2<f32>,
 ) -> BsdfSample {
     @if(!glossy) {
-        let wi = sample_cosine(shading, u);
+        let wi = direction_around(shading, cosine_angle(u.x), u.y);
         // Cosine sampling of a Lambert surface: f cos / pdf is kd.
         return BsdfSample(wi, select(vec3<f32>(0.0), m.kd, dot(wi, geometric) > 0.0));
     }
     @if(glossy) {
         let mirror = 2.0 * dot(wo, shading) * shading - wo;
-        var wi: vec3<f32>;
+        var axis = shading;
+        var angle = cosine_angle(u.x);
         if (pick < m.glossy) {
-            wi = sample_phong(mirror, m.ns, u);
-        } else {
-            wi = sample_cosine(shading, u);
+            axis = mirror;
+            angle = phong_angle(m.ns, u.x);
         }
+        let wi = direction_around(axis, angle, u.y);
         let cos_theta = dot(wi, shading);
         if (cos_theta <= 0.0 || dot(wi, geometric) <= 0.0) {
             return BsdfSample(wi, vec3<f32>(0.0));

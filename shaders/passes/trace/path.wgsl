@@ -29,6 +29,8 @@ const SLOT_LOBE: u32 = 0u;
 const SLOT_DIRECTION: u32 = 1u;
 const SLOT_ROULETTE: u32 = 2u;
 
+const LARGEST_F32: f32 = 0x1.fffffep+127;
+
 // The normals at a hit, unit length, on the side of the viewer.
 struct Normals {
     geometric: vec3<f32>,
@@ -39,24 +41,23 @@ fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
     return ((*state).bounce + 1u) * DIMENSIONS_PER_BOUNCE + slot;
 }
 
-// Whether the path can go on; if it can't, the state says why.
-fn check(state: ptr<function, PathState>, value: vec3<f32>, material: u32) -> bool {
-    var kind = fault_of(value);
-    if (kind == 0u && largest_of(value) > params.largest) {
-        kind = BAD_OVERFLOW;
-    }
-    if (kind != 0u) {
-        (*state).fault = kind;
+// Whether all channels are at least 0 and at most `largest`, and so numbers: by their bits, which for such are ordered as
+// they are. If not, the path is over, and keeps the value to say what is wrong with it.
+fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, material: u32) -> bool {
+    let good = all(bitcast<vec3<u32>>(value) <= vec3<u32>(bitcast<u32>(largest)));
+    if (!good) {
+        (*state).faulty = 1u;
         (*state).fault_material = material;
+        (*state).radiance = value;
     }
-    return kind == 0u;
+    return good;
 }
 
 // Adds radiance that arrives along the ray.
 @if(emitters || environment)
 fn gather(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> bool {
     (*state).radiance += (*state).throughput * light;
-    return check(state, (*state).radiance, material);
+    return check(state, (*state).radiance, params.largest, material);
 }
 
 // `raw` is the triangle's normal by its winding, of any length.
@@ -131,7 +132,7 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> bool {
         sample_2d((*state).key, dimension(state, SLOT_DIRECTION)),
     );
     (*state).throughput *= drawn.weight;
-    if (!check(state, (*state).throughput, triangle.material) || largest_of((*state).throughput) <= 0.0) {
+    if (!check(state, (*state).throughput, LARGEST_F32, triangle.material) || largest_of((*state).throughput) <= 0.0) {
         return false;
     }
     @if(roulette)
@@ -148,8 +149,9 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> bool {
 
 // What a path that has ended leaves for the film.
 fn finish(state: ptr<function, PathState>) -> RadianceSample {
-    if ((*state).fault != 0u) {
-        let origin = vec3<u32>((*state).fault, (*state).bounce, (*state).fault_material);
+    if ((*state).faulty != 0u) {
+        let kind = fault_of((*state).radiance);
+        let origin = vec3<u32>(select(kind, BAD_OVERFLOW, kind == 0u), (*state).bounce, (*state).fault_material);
         return RadianceSample(vec3<f32>(origin), (*state).rays | SAMPLE_BAD);
     }
     return RadianceSample((*state).radiance, (*state).rays);
