@@ -2,10 +2,9 @@
 
 mod bsdf;
 mod cli;
-mod display;
-mod edits;
 mod compile;
 mod display;
+mod edits;
 mod engine;
 mod extend;
 mod film;
