@@ -99,7 +99,10 @@ impl Tracer {
 
     /// A traversal whose stack holds `size` entries.
     pub fn with_stack(size: u32) -> Self {
-        Self::with(Library::shipped().with("lib/traverse_config", &format!("const STACK_SIZE: u32 = {size}u;\n")))
+        Self::with(Library::shipped().with(
+            "lib/traverse_config",
+            &format!("const STACK_SIZE: u32 = {size}u;\nconst VISITS_PER_LEAF: u32 = 3u;\n"),
+        ))
     }
 
     pub fn load(&mut self, tree: &Tree) {

@@ -11,7 +11,7 @@
 
 import package::gen::{Hit, Node, Ray, LEAF_BIT, MAX_STEPS, NO_HIT, NO_ROOT};
 import package::lib::intersect::{Query, intersect_triangle, prepare_query, FAR_GROWTH};
-import package::lib::traverse_config::{STACK_SIZE};
+import package::lib::traverse_config::{STACK_SIZE, VISITS_PER_LEAF};
 import package::passes::trace::scene::{leaves, nodes, scene_extent};
 
 // Where the ray enters and leaves the boxes of a node's two children.
@@ -130,8 +130,9 @@ fn traverse(ray: Ray, root: u32, any: bool) -> Hit {
     if root >= LEAF_BIT {
         visit = Visit(NO_ROOT, NO_ROOT, root, NO_ROOT);
     }
-    while hit.steps < MAX_STEPS {
-        while visit.first_leaf == NO_ROOT && hit.steps < MAX_STEPS {
+    var walking = true;
+    while walking && hit.steps < MAX_STEPS {
+        for (var i = 0u; i < VISITS_PER_LEAF && visit.first_leaf == NO_ROOT; i += 1u) {
             if visit.next == NO_ROOT {
                 if top != bottom {
                     top -= 1u;
@@ -140,6 +141,7 @@ fn traverse(ray: Ray, root: u32, any: bool) -> Hit {
                     visit.next = climb(query, last, &hit);
                 }
                 if visit.next == NO_ROOT {
+                    walking = false;
                     break;
                 }
             }
@@ -152,14 +154,11 @@ fn traverse(ray: Ray, root: u32, any: bool) -> Hit {
                 bottom = max(bottom, max(top, STACK_SIZE) - STACK_SIZE);
             }
         }
-        if visit.first_leaf == NO_ROOT {
-            break;
-        }
-        test_leaf(query, visit.first_leaf & ~LEAF_BIT, &hit);
-        visit.first_leaf = visit.second_leaf;
-        visit.second_leaf = NO_ROOT;
-        if any && hit.triangle != NO_HIT {
-            break;
+        if visit.first_leaf != NO_ROOT {
+            test_leaf(query, visit.first_leaf & ~LEAF_BIT, &hit);
+            visit.first_leaf = visit.second_leaf;
+            visit.second_leaf = NO_ROOT;
+            walking = !(any && hit.triangle != NO_HIT);
         }
     }
     return hit;
