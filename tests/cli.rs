@@ -371,6 +371,27 @@ fn check_reads_assets_and_links_every_pass() {
 }
 
 #[test]
+fn a_broken_shader_is_one_message_with_its_line() {
+    let folder = folder_with("", b"");
+    let library = lucerna::shader::Library::embedded();
+    for module in library.modules() {
+        let path = folder.path().join("shaders").join(format!("{module}.wgsl"));
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        let text = library.text(module).unwrap();
+        // The error is on a line of its own, behind all others.
+        let wrong = if module == "lib/rng" { "fn wrong() -> u32 {\n    return 1.5;\n}\n" } else { "" };
+        std::fs::write(path, format!("{text}{wrong}")).unwrap();
+    }
+    let line = library.text("lib/rng").unwrap().lines().count() + 2;
+    let text = refused(1, folder.path(), &["render", "a.ron"]);
+    assert!(text.starts_with(&format!("shaders/lib/rng.wgsl:{line}:")), "not at line {line}:\n{text}");
+    assert!(text.contains(&format!("{line} |     return 1.5;\n")), "the line is not shown:\n{text}");
+    let run = lucerna(folder.path(), &["check"]);
+    let said = String::from_utf8(run.stderr).unwrap();
+    assert_eq!((run.status.code(), said.matches("error:").count()), (Some(1), 1), "{said}");
+}
+
+#[test]
 fn doctor_names_the_adapter_that_is_used() {
     let run = lucerna(Path::new("."), &["doctor"]);
     let out = String::from_utf8(run.stdout).unwrap();

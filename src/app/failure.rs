@@ -200,18 +200,22 @@ struct Snippet {
 fn snippet(diagnostic: &dyn miette::Diagnostic) -> Option<Snippet> {
     let source = diagnostic.source_code()?;
     let label = diagnostic.labels()?.next()?;
-    let contents = source.read_span(label.inner(), 0, 0).ok()?;
+    // Asked for no line around it, miette gives no more than the span itself.
+    let contents = source.read_span(label.inner(), 1, 1).ok()?;
     let all = std::str::from_utf8(contents.data()).ok()?;
-    let before = label.offset().saturating_sub(contents.span().offset());
-    let line = all.lines().next()?;
-    let at = line.get(..before.min(line.len())).map_or(0, |text| text.chars().count());
-    let marked = line.get(before..).map_or(0, |text| text.get(..label.len()).unwrap_or(text).chars().count()).max(1);
-    let number = (contents.line() + 1).to_string();
+    let before = all.get(..label.offset().saturating_sub(contents.span().offset()))?;
+    let start = before.rfind('\n').map_or(0, |at| at + 1);
+    let line = all[start..].lines().next()?;
+    let at = before[start..].chars().count();
+    let length =
+        line.get(before.len() - start..).map_or(0, |rest| rest.get(..label.len()).unwrap_or(rest).chars().count());
+    let number = (contents.line() + before.matches('\n').count() + 1).to_string();
+    let column = if start == 0 { contents.column() } else { 0 } + at + 1;
     let margin = " ".repeat(number.len());
     let indent: String = line.chars().take(at).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
-    let carets = "^".repeat(marked);
+    let carets = "^".repeat(length.max(1));
     let place = match contents.name() {
-        Some(name) => format!("{name}:{number}:{}: ", contents.column() + at + 1),
+        Some(name) => format!("{name}:{number}:{column}: "),
         None => String::new(),
     };
     Some(Snippet { place, text: format!("  {number} | {line}\n  {margin} | {indent}{carets}\n") })
