@@ -124,8 +124,8 @@ fn a_file_of_many_blocks_arrives_whole() {
 
 /// What is wrong, where it is reported, and a part of the message.
 const WRONG: &[(&str, u32, u32, &str)] = &[
-    ("", 0, 0, "there is no face in this file"),
-    ("# nothing\nv 0 0 0\n", 0, 0, "there is no face in this file"),
+    ("", 1, 1, "the file ends here without a face"),
+    ("# nothing\nv 0 0 0", 2, 1, "the file ends here without a face"),
     ("v 0 0 nan\n", 1, 7, "a vertex can't be at NaN"),
     ("v 0 -inf 0\n", 1, 5, "a vertex can't be at infinity"),
     ("v 0 1e999 0\n", 1, 5, "a vertex can't be at infinity"),

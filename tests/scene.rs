@@ -207,7 +207,8 @@ fn wrong_defines_are_named() {
 #[test]
 fn all_errors_of_a_scene_are_reported_at_once() {
     let errors = load_text("(film: (size: 1), render: (spp: 0), flim: 1)", &[]).unwrap_err();
-    assert_eq!(errors.list.len(), 3, "{errors}");
+    let places: Vec<u32> = errors.list.iter().map(|error| error.column).collect();
+    assert_eq!(places, [15, 33, 37], "{errors}");
 }
 
 #[test]
@@ -241,6 +242,12 @@ fn check_reads_folders_and_says_each_thing_once() {
     let missing = check(&PathBuf::from("nothing.obj"));
     assert!(missing.diagnostics.has_errors());
     assert!(check(&folder.path().join("notes.txt")).diagnostics.has_errors());
+    let odd = folder.path().join("odd.obj");
+    std::fs::create_dir(&odd).unwrap();
+    assert!(check(&odd).diagnostics.to_string().contains("this is a folder, not a file"));
+    let empty = folder.path().join("empty");
+    std::fs::create_dir(&empty).unwrap();
+    assert!(check(&empty).diagnostics.to_string().contains("there is no asset in this folder"));
 }
 
 /// Entities with a component that changed since the last call.

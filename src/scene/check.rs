@@ -22,9 +22,13 @@ pub struct Checked {
 /// A message that several files lead to (a scene and the model it names) is kept once.
 pub fn check(path: &Path) -> Checked {
     let mut checked = Checked::default();
-    if path.is_dir() {
+    if path.is_dir() && !is_asset(path) {
         collect(path, 0, &mut checked);
         checked.files.sort();
+        if checked.files.is_empty() && !checked.diagnostics.has_errors() {
+            let warning = Diagnostic::file(Severity::Warning, path, "there is no asset in this folder");
+            checked.diagnostics.push(warning.help(KINDS));
+        }
     } else {
         checked.files.push(path.to_path_buf());
     }
@@ -38,6 +42,9 @@ pub fn check(path: &Path) -> Checked {
     }
     checked
 }
+
+/// What can be checked.
+const KINDS: &str = "assets are .ron (scenes), .obj (models) and .mtl (materials)";
 
 /// Folders below a folder that are looked into: links could go round in circles.
 const MAX_DEPTH: usize = 16;
@@ -53,7 +60,7 @@ fn collect(folder: &Path, depth: usize, checked: &mut Checked) {
             if depth < MAX_DEPTH {
                 collect(&path, depth + 1, checked);
             }
-        } else if matches!(extension(&path).as_str(), "obj" | "mtl" | "ron") {
+        } else if is_asset(&path) {
             checked.files.push(path);
         }
     }
@@ -76,11 +83,15 @@ fn check_file(path: &Path) -> Diagnostics {
         }
         _ => {
             let message = "can't check this kind of file";
-            let help = "assets are .ron (scenes), .obj (models) and .mtl (materials)";
-            diagnostics.push(Diagnostic::file(Severity::Error, path, message).help(help));
+            diagnostics.push(Diagnostic::file(Severity::Error, path, message).help(KINDS));
         }
     }
     diagnostics
+}
+
+/// Whether a path has the name of an asset.
+fn is_asset(path: &Path) -> bool {
+    matches!(extension(path).as_str(), "obj" | "mtl" | "ron")
 }
 
 /// A file's extension in small letters.

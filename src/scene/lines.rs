@@ -65,12 +65,19 @@ pub struct Lines<R> {
     bytes: Vec<u8>,
     /// The last line ended with `\r`: a `\n` right after it belongs to it.
     after_return: bool,
+    /// The end of the file was met, in a line without an end.
+    open_end: bool,
 }
 
 impl<R: BufRead> Lines<R> {
     /// `file` is the name in messages.
     pub fn new(reader: R, file: &Path) -> Self {
-        Self { reader, file: file.to_path_buf(), number: 0, bytes: Vec::new(), after_return: false }
+        Self { reader, file: file.to_path_buf(), number: 0, bytes: Vec::new(), after_return: false, open_end: false }
+    }
+
+    /// The number of the line read last, from 1.
+    pub fn number(&self) -> u32 {
+        self.number
     }
 
     /// Reads the next logical line into `line`; false at the end. An error is final: what follows is no text.
@@ -130,6 +137,9 @@ impl<R: BufRead> Lines<R> {
                 Err(error) => return Err(cannot_read(&self.file, &error)),
             };
             if available.is_empty() {
+                // After a last line without an end there is no further one, not even an empty one.
+                self.number -= u32::from(self.bytes.is_empty() && self.open_end);
+                self.open_end = true;
                 return Ok(false);
             }
             if std::mem::take(&mut self.after_return) && available[0] == b'\n' {

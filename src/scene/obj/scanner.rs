@@ -75,7 +75,8 @@ impl<'l, R: BufRead> Scanner<'l, R> {
     /// The messages and the groups, when all was read.
     pub fn finish(mut self) -> (Diagnostics, Vec<Group>) {
         if self.triangles == 0 && !self.tally.diagnostics.has_errors() {
-            let error = Diagnostic::file(Severity::Error, self.file, "there is no face in this file");
+            let end = self.lines.number().max(1);
+            let error = Diagnostic::at(Severity::Error, self.file, end, "", 0, "the file ends here without a face");
             self.tally.diagnostics.push(error.help("a model needs `v` and `f` lines; was it exported whole?"));
         }
         (self.tally.finish(), self.faces.groups)

@@ -28,9 +28,11 @@ impl Reader {
         self.diagnostics.borrow().has_errors()
     }
 
-    /// Everything that was reported.
+    /// Everything that was reported, in the order of the text.
     pub fn into_diagnostics(self) -> Diagnostics {
-        self.diagnostics.into_inner()
+        let mut diagnostics = self.diagnostics.into_inner();
+        diagnostics.list.sort_by(|a, b| (&a.file, a.line, a.column).cmp(&(&b.file, b.line, b.column)));
+        diagnostics
     }
 }
 
