@@ -6,14 +6,17 @@
 
 import package::gen::{Ray};
 
-// What boxes grow by on every side, in units of the greatest coordinate of ray and scene. A triangle that passes the edge test lies
-// within 8 * 2^-24 * distance of the ray: the roundings of each sheared coordinate, and the error of 2.5 ulp that WGSL
-// allows in the reciprocal behind it. Twice that leaves the roundings of the slabs themselves.
+// What boxes grow by on every side, in units of the greatest coordinate of ray and scene. A triangle that passes the edge
+// test lies within 8 * 2^-24 * distance of the ray: the roundings of each sheared coordinate and of the shear. Twice that
+// leaves the roundings of the slabs themselves.
 const SLAB_GROWTH: f32 = 9.5367431640625e-7;
-// Far planes move out by this factor, for the reciprocal's 2.5 ulp and the last rounding (Ize 2013).
+// Far planes move out by this factor, for the rounding of the reciprocal and the last one (Ize 2013).
 const FAR_GROWTH: f32 = 1.00000095367431640625;
 // A direction's component counts as at least this part of the largest: its reciprocal stays finite.
 const LEAST_PART: f32 = 8.673617379884035e-19;
+
+// Twice the area below which a sheared triangle counts as edge-on, so that its reciprocal stays finite.
+const LEAST_AREA: f32 = 7.52316384526264e-37;
 
 // What a ray needs for every box and triangle, computed once.
 struct Query {
@@ -45,6 +48,12 @@ fn permute(v: vec3<f32>, axis: u32) -> vec3<f32> {
     return select(select(v.zxy, v.yzx, axis == 0u), v, axis == 2u);
 }
 
+// 1 / x, rounded right where fma() rounds once: WGSL allows a division 2.5 ulp, which differ from device to device.
+fn reciprocal(x: f32) -> f32 {
+    let r = 1.0 / x;
+    return fma(r, fma(-x, r, 1.0), r);
+}
+
 fn largest_axis(d: vec3<f32>) -> u32 {
     let m = abs(d);
     return select(select(1u, 0u, m.x >= m.y), 2u, m.z >= max(m.x, m.y));
@@ -56,9 +65,10 @@ fn prepare_query(ray: Ray, extent: f32) -> Query {
     let d = permute(ray.direction, axis);
     let least = abs(d.z) * LEAST_PART;
     let signed_least = select(vec3(-least), vec3(least), ray.direction >= vec3(0.0));
-    let inverse = 1.0 / select(ray.direction, signed_least, abs(ray.direction) < vec3(least));
+    let safe = select(ray.direction, signed_least, abs(ray.direction) < vec3(least));
+    let inverse = vec3(reciprocal(safe.x), reciprocal(safe.y), reciprocal(safe.z));
     let o = abs(ray.origin);
-    let along = 1.0 / d.z;
+    let along = reciprocal(d.z);
     let reach = vec3(max(max(o.x, o.y), o.z) + extent);
     return Query(
         ray.origin,
@@ -127,14 +137,14 @@ fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) ->
     let w = edge_function(p.xy, q.xy);
     let det = u + v + w;
     var result = TriangleHit(0.0, 0.0, 0.0, false);
-    if (min(min(u, v), w) < 0.0 && max(max(u, v), w) > 0.0) || det == 0.0 {
+    if (min(min(u, v), w) < 0.0 && max(max(u, v), w) > 0.0) || abs(det) < LEAST_AREA {
         return result;
     }
     let interval = slab_interval(query, min(min(a, b), c), max(max(a, b), c));
     if interval.x > interval.y || all(triangle_normal(a, b, c) == vec3(0.0)) {
         return result;
     }
-    let scale = 1.0 / det;
+    let scale = reciprocal(det);
     let depth = fma(u, p.z, fma(v, q.z, w * r.z)) * query.shear.z * scale;
     result.t = min(max(depth, interval.x), interval.y);
     result.b1 = v * scale;

@@ -27,10 +27,19 @@ impl Fma {
         }
     }
 
+    /// 1 / x, rounded right if fused.
+    pub fn reciprocal(self, x: f32) -> f32 {
+        let r = 1.0 / x;
+        self.of(r, self.of(-x, r, 1.0), r)
+    }
+
     fn of_vectors(self, a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
         Vec3::new(self.of(a.x, b.x, c.x), self.of(a.y, b.y, c.y), self.of(a.z, b.z, c.z))
     }
 }
+
+/// Twice the area below which a sheared triangle counts as edge-on.
+const LEAST_AREA: f32 = 7.523_164e-37;
 
 /// What a ray needs for every box and triangle.
 #[derive(Clone, Copy, Debug)]
@@ -87,13 +96,13 @@ pub fn prepare_query(fma: Fma, ray: &Ray, extent: f32) -> Query {
     let axis = largest_axis(ray.direction);
     let d = permute(ray.direction, axis);
     let least = d.z.abs() * LEAST_PART;
-    let inverse = 1.0
-        / Vec3::from_array(ray.direction.to_array().map(|d| match (d.abs() < least, d >= 0.0) {
-            (false, _) => d,
-            (true, true) => least,
-            (true, false) => -least,
-        }));
-    let along = 1.0 / d.z;
+    let safe = |d: f32| match (d.abs() < least, d >= 0.0) {
+        (false, _) => d,
+        (true, true) => least,
+        (true, false) => -least,
+    };
+    let inverse = Vec3::from_array(ray.direction.to_array().map(|d| fma.reciprocal(safe(d))));
+    let along = fma.reciprocal(d.z);
     let reach = Vec3::splat(ray.origin.abs().max_element() + extent);
     Query {
         fma,
@@ -155,14 +164,14 @@ pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<Tr
     let v = edge_function(fma, r.xy(), p.xy());
     let w = edge_function(fma, p.xy(), q.xy());
     let det = u + v + w;
-    if (u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0) || det == 0.0 {
+    if (u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0) || det.abs() < LEAST_AREA {
         return None;
     }
     let interval = slab_interval(query, Bounds { low: a.min(b).min(c), high: a.max(b).max(c) });
     if interval.x > interval.y || triangle_normal(fma, a, b, c) == Vec3::ZERO {
         return None;
     }
-    let scale = 1.0 / det;
+    let scale = fma.reciprocal(det);
     let depth = fma.of(u, p.z, fma.of(v, q.z, w * r.z)) * query.shear.z * scale;
     Some(TriangleHit { t: depth.max(interval.x).min(interval.y), b1: v * scale, b2: w * scale })
 }
