@@ -185,7 +185,8 @@ fn an_offset_ray_never_meets_the_triangle_it_leaves() {
         for i in 0..300_000 {
             let size = 10f32.powf(random.range(-2.0, 2.0) as f32);
             let shift = point_in_cube(&mut random, [0.0, 1.0, 1000.0][i % 3]);
-            // Half of them in a plane through the origin, where coordinates along the normal have no error of their own.
+            // Half of them in a plane through the origin, where coordinates along the normal have no error of their
+            // own.
             let flat = if i % 2 == 0 { Vec3::ONE } else { Vec3::new(1.0, 0.0, 1.0) };
             let [a, b, c] = [(); 3].map(|()| (shift + point_in_cube(&mut random, size)) * flat);
             let u = random.unit().sqrt();

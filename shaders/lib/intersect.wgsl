@@ -1,14 +1,14 @@
 // Rays against boxes and triangles. Woop, Benthin, Wald: Watertight Ray/Triangle Intersection (2013).
 //
-// Every sum of a product is written as fma(), so that no two places where this is inlined can be contracted differently:
-// the same ray and triangle give the same bits in every kernel of one device. NaN and infinity never arise from rays and
-// triangles as package::gen describes them.
+// Every sum of a product is written as fma(), so that no two places where this is inlined can be contracted
+// differently: the same ray and triangle give the same bits in every kernel of one device. NaN and infinity never arise
+// from rays and triangles as package::gen describes them.
 
 import package::gen::{Ray};
 
-// What boxes grow by on every side, in units of the greatest coordinate of ray and scene. A triangle that passes the edge
-// test lies within 8 * 2^-24 * distance of the ray: the roundings of each sheared coordinate and of the shear. Twice that
-// leaves the roundings of the slabs themselves.
+// What boxes grow by on every side, in units of the greatest coordinate of ray and scene. A triangle that passes the
+// edge test lies within 8 * 2^-24 * distance of the ray: the roundings of each sheared coordinate and of the shear.
+// Twice that leaves the roundings of the slabs themselves.
 const SLAB_GROWTH: f32 = 9.5367431640625e-7;
 // Far planes move out by this factor, for the rounding of the reciprocal and the last one (Ize 2013).
 const FAR_GROWTH: f32 = 1.00000095367431640625;
@@ -82,8 +82,8 @@ fn prepare_query(ray: Ray, extent: f32) -> Query {
     );
 }
 
-// Where the ray is inside the grown box: from x to y, empty if x > y. Rounding is monotone in every step, so the interval
-// of a box that encloses another encloses the other's interval.
+// Where the ray is inside the grown box: from x to y, empty if x > y. Rounding is monotone in every step, so the
+// interval of a box that encloses another encloses the other's interval.
 fn slab_interval(query: Query, low: vec3<f32>, high: vec3<f32>) -> vec2<f32> {
     let a = fma(low, query.inverse, query.low);
     let b = fma(high, query.inverse, query.high);
@@ -92,16 +92,16 @@ fn slab_interval(query: Query, low: vec3<f32>, high: vec3<f32>) -> vec2<f32> {
     return vec2(max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z) * FAR_GROWTH);
 }
 
-// a * b - c * d with the right sign, or 0: to 1.5 ulp where fma() rounds once, and where it rounds twice the difference of
-// two rounded products, in whose order rounding makes no mistake (Kahan; Jeannerod et al. 2013).
+// a * b - c * d with the right sign, or 0: to 1.5 ulp where fma() rounds once, and where it rounds twice the difference
+// of two rounded products, in whose order rounding makes no mistake (Kahan; Jeannerod et al. 2013).
 fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
     let cd = c * d;
     let error = fma(-c, d, cd);
     return fma(a, b, -cd) + error;
 }
 
-// Twice the signed area of (0, p, q). Computed in one order of its ends, so that the two triangles of an edge get the same
-// bits with opposite signs.
+// Twice the signed area of (0, p, q). Computed in one order of its ends, so that the two triangles of an edge get the
+// same bits with opposite signs.
 fn edge_function(p: vec2<f32>, q: vec2<f32>) -> f32 {
     let swapped = p.x > q.x || (p.x == q.x && p.y > q.y);
     let first = select(p, q, swapped);
@@ -160,9 +160,9 @@ struct SurfacePoint {
 }
 
 // The point of a triangle with weights b1 and b2 of its second and third corner. Its error bound is the sum of two:
-// gamma(7) times the sum of absolute terms for the position (Pharr, Jakob, Humphreys: PBRT, 4th ed., section 6.8.5); and
-// 8 * 2^-24 times the weighted distance of the corners, in every coordinate, for what the leaving ray's own test of this
-// triangle rounds. In a plane through the scene's origin the first is 0 along the normal, the second never.
+// gamma(7) times the sum of absolute terms for the position (Pharr, Jakob, Humphreys: PBRT, 4th ed., section 6.8.5);
+// and 8 * 2^-24 times the weighted distance of the corners, in every coordinate, for what the leaving ray's own test of
+// this triangle rounds. In a plane through the scene's origin the first is 0 along the normal, the second never.
 fn surface_point(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, b1: f32, b2: f32) -> SurfacePoint {
     let b0 = 1.0 - b1 - b2;
     let position = b0 * a + b1 * b + b2 * c;
@@ -180,8 +180,8 @@ fn next_float(x: f32, up: bool) -> f32 {
     return bitcast<f32>(select(step, smallest, x == 0.0));
 }
 
-// `p` moved off its surface to the side of `w`, along the unit normal `n`, just so far that the true point cannot lie on
-// the other side (PBRT, 4th ed., section 6.8.6).
+// `p` moved off its surface to the side of `w`, along the unit normal `n`, just so far that the true point cannot lie
+// on the other side (PBRT, 4th ed., section 6.8.6).
 fn offset_ray_origin(p: vec3<f32>, error: vec3<f32>, n: vec3<f32>, w: vec3<f32>) -> vec3<f32> {
     let d = dot(abs(n), error);
     let offset = select(-d, d, dot(w, n) >= 0.0) * n;

@@ -50,8 +50,8 @@ static EXTEND_BRUTE: Pass = Pass {
     shape: Shape::Items,
 };
 
-/// Word 0 becomes fma(1 + 2^-12, 1 + 2^-12, -1 - 2^-11), which is 2^-24 if rounded once, 0 if twice. It reads the three,
-/// lest a compiler compute it.
+/// Word 0 becomes fma(1 + 2^-12, 1 + 2^-12, -1 - 2^-11), which is 2^-24 if rounded once, 0 if twice. It reads the
+/// three, lest a compiler compute it.
 const FMA_WGSL: &str = "
 @group(0) @binding(0) var<storage, read_write> words: array<f32>;
 

@@ -134,8 +134,8 @@ pub fn sphere(level: u32) -> Vec<Corners> {
     icosphere(level).into_iter().map(|corners| corners.map(|v| v.as_vec3())).collect()
 }
 
-/// Triangles a million times as long as high, closed into prisms around the origin: `count` thin quads in a ring of radius
-/// 1, half of them 2e-6 high.
+/// Triangles a million times as long as high, closed into prisms around the origin: `count` thin quads in a ring of
+/// radius 1, half of them 2e-6 high.
 pub fn slivers(count: usize) -> Vec<Corners> {
     let corner = |i: usize, y: f32| {
         let angle = (i % count) as f64 / count as f64 * std::f64::consts::TAU;

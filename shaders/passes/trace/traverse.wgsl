@@ -1,13 +1,13 @@
 // The tree walked by one ray: the closest hit, or whether there is any.
 //
 // The hit is the least (t, triangle), whatever the tree. A hit's t is clamped into the slabs of the triangle's own box,
-// slabs are monotone, and a box is left out only if it begins beyond the best t or ends before t_min: so the box of every
-// ancestor of the winner passes, however its numbers are rounded.
+// slabs are monotone, and a box is left out only if it begins beyond the best t or ends before t_min: so the box of
+// every ancestor of the winner passes, however its numbers are rounded.
 //
 // The order of the walk is a function of the ray alone (near child first, the left one of two equally near). A stack of
 // STACK_SIZE entries remembers the far children; when it is full, the oldest is forgotten. Once the stack is empty and
-// something was forgotten, the walk climbs from the node visited last and goes on in the first far child it has not come
-// from. What was passed by before stays passed by, since the best t only shrinks.
+// something was forgotten, the walk climbs from the node visited last and goes on in the first far child it has not
+// come from. What was passed by before stays passed by, since the best t only shrinks.
 
 import package::gen::{Hit, Node, Ray, LEAF_BIT, MAX_STEPS, NO_HIT, NO_ROOT};
 import package::lib::intersect::{Query, intersect_triangle, prepare_query, FAR_GROWTH};

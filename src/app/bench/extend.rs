@@ -88,7 +88,8 @@ fn occlusion_case(rig: &mut Runtime, tree: &Tree, rays: &[Ray], runs: u32) -> Re
     Ok(Case::new(name, rays.len() as u64, "rays/s", rows))
 }
 
-/// Some hits against the twin's. Processors round differently, so a ray in a hundred may pass an edge on its other side.
+/// Some hits against the twin's. Processors round differently, so a ray in a hundred may pass an edge on its other
+/// side.
 fn check(kind: &str, tree: &Tree, rays: &[Ray], hits: &[Hit]) -> Result<(), BenchError> {
     let step = (rays.len() / CHECKED).max(1);
     let sample: Vec<(&Ray, &Hit)> = rays.iter().zip(hits).step_by(step).collect();
