@@ -4,10 +4,10 @@ import package::gen::{Shading};
 
 // A unit vector from its octahedral snorm16 pair (Cigolle et al., JCGT 3(2), 2014).
 fn octahedral_decode(word: u32) -> vec3<f32> {
-    let e = max(vec2<f32>(vec2<i32>(bitcast<i32>(word << 16u), bitcast<i32>(word)) >> vec2<u32>(16u)) / 32767.0, vec2<f32>(-1.0));
-    let z = 1.0 - abs(e.x) - abs(e.y);
-    let fold = max(-z, 0.0);
-    return normalize(vec3<f32>(e - fold * select(vec2<f32>(-1.0), vec2<f32>(1.0), e >= vec2<f32>(0.0)), z));
+    let e = vec2<f32>(vec2<i32>(bitcast<i32>(word << 16u), bitcast<i32>(word)) >> vec2<u32>(16u));
+    let z = 32767.0 - abs(e.x) - abs(e.y);
+    // Below the equator both coordinates are positive or negative, never 0.
+    return normalize(vec3<f32>(e + sign(e) * min(z, 0.0), z));
 }
 
 // The normal at weights b1 and b2 of the second and third corner, on the side of `geometric`; that one itself where a

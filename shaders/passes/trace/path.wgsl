@@ -54,7 +54,6 @@ fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, materi
 }
 
 // Adds radiance that arrives along the ray.
-@if(emitters || environment)
 fn gather(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> bool {
     (*state).radiance += (*state).throughput * light;
     return check(state, (*state).radiance, params.largest, material);
@@ -94,34 +93,21 @@ fn extend(state: ptr<function, PathState>) -> Hit {
 // Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel.
 @if(roulette)
 fn survive(state: ptr<function, PathState>) -> bool {
-    if ((*state).bounce < ROULETTE_BOUNCE) {
-        return true;
-    }
-    let survival = min(1.0, largest_of((*state).throughput));
-    if (sample_1d((*state).key, dimension(state, SLOT_ROULETTE)) >= survival) {
-        return false;
-    }
+    let played = (*state).bounce >= ROULETTE_BOUNCE;
+    let survival = select(1.0, min(1.0, largest_of((*state).throughput)), played);
     (*state).throughput /= survival;
-    return true;
+    return sample_1d((*state).key, dimension(state, SLOT_ROULETTE)) < survival;
 }
 
-// What happens at the end of the ray: light is gathered, a new direction drawn. Whether the path goes on.
-fn shade(state: ptr<function, PathState>, hit: Hit) -> bool {
-    if (hit.triangle == NO_HIT) {
-        @if(environment) gather(state, params.environment, NO_MATERIAL);
-        return false;
-    }
+// Draws a new direction from the BSDF of the surface at the end of the ray. Whether the path goes on.
+fn scatter(
+    state: ptr<function, PathState>,
+    hit: Hit,
+    triangle: Triangle,
+    material: MaterialRecord,
+    raw: vec3<f32>,
+) -> bool {
     let wo = -(*state).direction;
-    let triangle = leaves[hit.leaf];
-    let material = materials[triangle.material];
-    let raw = triangle_normal(triangle.a, triangle.b, triangle.c);
-    @if(emitters)
-    if (!gather(state, emitted(material, dot(raw, wo) < 0.0), triangle.material)) {
-        return false;
-    }
-    if ((*state).bounce + 1u >= params.max_depth) {
-        return false;
-    }
     let normals = normals_at(triangle, hit, raw, wo);
     let drawn = mixture_sample(
         material,
@@ -132,19 +118,45 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> bool {
         sample_2d((*state).key, dimension(state, SLOT_DIRECTION)),
     );
     (*state).throughput *= drawn.weight;
-    if (!check(state, (*state).throughput, LARGEST_F32, triangle.material) || largest_of((*state).throughput) <= 0.0) {
-        return false;
+    var alive = check(state, (*state).throughput, LARGEST_F32, triangle.material);
+    alive = alive && largest_of((*state).throughput) > 0.0;
+    @if(roulette) {
+        alive = alive && survive(state);
     }
-    @if(roulette)
-    if (!survive(state)) {
-        return false;
+    if (alive) {
+        let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
+        (*state).origin = offset_ray_origin(at.position, at.error, normals.geometric, drawn.direction);
+        (*state).direction = drawn.direction;
+        (*state).cone_width += (*state).cone_spread * hit.t;
+        (*state).bounce += 1u;
     }
-    let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
-    (*state).origin = offset_ray_origin(at.position, at.error, normals.geometric, drawn.direction);
-    (*state).direction = drawn.direction;
-    (*state).cone_width += (*state).cone_spread * hit.t;
-    (*state).bounce += 1u;
-    return true;
+    return alive;
+}
+
+// What happens at the end of the ray: light is gathered, a new direction drawn. Whether the path goes on.
+//
+// Written with one way out, for each early one costs lavapipe's compiler masks over all that follows.
+fn shade(state: ptr<function, PathState>, hit: Hit) -> bool {
+    let missed = hit.triangle == NO_HIT;
+    // Of a ray that missed: leaf 0, not used.
+    let triangle = leaves[hit.leaf];
+    let material = materials[triangle.material];
+    let raw = triangle_normal(triangle.a, triangle.b, triangle.c);
+    var sky = vec3<f32>(0.0);
+    @if(environment) {
+        sky = params.environment;
+    }
+    var shine = vec3<f32>(0.0);
+    @if(emitters) {
+        shine = emitted(material, dot(raw, (*state).direction) > 0.0);
+    }
+    var alive = gather(state, select(shine, sky, missed), select(triangle.material, NO_MATERIAL, missed));
+    if (alive && !missed && (*state).bounce + 1u < params.max_depth) {
+        alive = scatter(state, hit, triangle, material, raw);
+    } else {
+        alive = false;
+    }
+    return alive;
 }
 
 // What a path that has ended leaves for the film.
