@@ -156,6 +156,7 @@ const WRONG: &[(&str, u32, u32, &str)] = &[
     ),
     ("(camera: \"front\")", 1, 10, "there is no camera `front`; known here: default"),
     ("(models: [(path: \"nothing.obj\")])", 1, 18, "there is no file"),
+    ("(models: [(path: \"square.obj\"), (path: \"square.obj\", name: \"square\")])", 1, 40, "is named `square` too"),
     ("(models: [(path: \"scene.ron\")])", 1, 18, "is no .obj file"),
     ("(models: [(name: \"a\")])", 1, 11, "the field `path` is missing"),
     ("(models: [(path: \"square.obj\", transform: (scale: 0))])", 1, 43, "flattens"),
@@ -181,6 +182,15 @@ fn wrong_scene_files_are_reported_where_they_are_wrong() {
         }
         assert!(found.file.ends_with("scene.ron"));
     }
+}
+
+#[test]
+fn materials_that_are_not_rendered_as_asked_are_warned_of() {
+    let text = "(models: [(path: \"square.obj\")], materials: { \"red\": (d: 0.5, tf: (1, 1, 0.5), illum: 7) })";
+    let loaded = load_text(text, &[]).unwrap_or_else(|errors| panic!("{errors}"));
+    let places: Vec<u32> = loaded.warnings.iter().map(|warning| warning.column).collect();
+    assert_eq!(places, [58, 67, 87], "{:?}", loaded.warnings);
+    assert!(loaded.warnings.iter().all(|warning| warning.message.contains("rendered as opaque for now")));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 
-use super::diagnostic::Diagnostic;
+use super::diagnostic::{Diagnostic, Severity};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::suggest::known_names;
 use crate::components::{Camera, Crop, Energy, Environment, Film, Integrator, Material, Render};
@@ -300,5 +300,16 @@ fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<MaterialEdi
         tf: fields.read("tf", |node| node.colour(1.0)),
         illum: fields.read("illum", |node| node.integer(0, 10)),
     };
+    let asks = [
+        ("d", edit.d.is_some_and(|d| d < 1.0)),
+        ("tf", edit.tf.is_some_and(|tf| tf != Vec3::ONE)),
+        ("illum", edit.illum.is_some_and(|illum| matches!(illum, 4..=7 | 9 | 10))),
+    ];
+    for (name, asked) in asks {
+        if let Some(node) = fields.get(name).filter(|_| asked) {
+            let message = format!("{}: this material is rendered as opaque for now", fields.path_of(name));
+            reader.push(node.text.at(Severity::Warning, node.source, message));
+        }
+    }
     fields.finish().then_some(edit)
 }

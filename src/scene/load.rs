@@ -163,6 +163,10 @@ impl Loader {
             self.models.insert(path.clone(), model);
         }
         let Some(Some(model)) = self.models.get(&path) else { return };
+        if let Some(name) = entry.name.as_ref().filter(|name| names.contains_key(*name)) {
+            let message = format!("a model before this one is named `{name}` too");
+            return self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help("give it another `name`"));
+        }
         let name = unique(entry.name.clone().unwrap_or_else(|| stem(&path)), names);
         let transform = Transform(entry.transform);
         for part in &model.parts {
