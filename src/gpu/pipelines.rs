@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::{Gpu, GpuError};
 use crate::passes::{Access, Pass};
@@ -22,34 +23,62 @@ pub struct Pipelines {
     kept: HashMap<(&'static str, Features), Arc<Pipeline>>,
     /// What a scene's features come down to for a pass, so that a known pass is not linked again.
     keys: HashMap<&'static str, (Features, Arc<Pipeline>)>,
-    serial: u64,
+    serial: AtomicU64,
 }
 
 impl Pipelines {
     pub fn new(library: Library) -> Self {
-        Self { library, kept: HashMap::new(), keys: HashMap::new(), serial: 0 }
+        Self { library, kept: HashMap::new(), keys: HashMap::new(), serial: AtomicU64::new(0) }
     }
 
     /// The pipeline of `pass` under `features`, compiled if need be.
     pub fn get(&mut self, gpu: &Gpu, pass: &'static Pass, features: &Features) -> Result<Arc<Pipeline>, GpuError> {
-        if let Some((key, pipeline)) = self.keys.get(pass.name)
-            && key == features
-        {
+        if let Some(pipeline) = self.known(pass, features) {
             return Ok(pipeline.clone());
         }
-        let linked = self.library.link(pass.module, features)?;
-        let kept = (pass.name, linked.features.clone());
-        let pipeline = match self.kept.get(&kept) {
-            Some(pipeline) => pipeline.clone(),
-            None => {
-                self.serial += 1;
-                let pipeline = Arc::new(compile(gpu, pass, linked, features, self.serial)?);
-                self.kept.insert(kept, pipeline.clone());
-                pipeline
-            }
-        };
-        self.keys.insert(pass.name, (features.clone(), pipeline.clone()));
+        let (key, pipeline) = self.make(gpu, pass, features)?;
+        self.keep(pass, features, key, &pipeline);
         Ok(pipeline)
+    }
+
+    /// Compiles all that is missing of `passes`, each in a thread of its own: drivers compile in parallel.
+    pub fn prepare(&mut self, gpu: &Gpu, passes: &[&'static Pass], features: &Features) -> Result<(), GpuError> {
+        let mut missing: Vec<&'static Pass> = Vec::new();
+        for pass in passes {
+            if self.known(pass, features).is_none() && missing.iter().all(|m| m.name != pass.name) {
+                missing.push(pass);
+            }
+        }
+        let this = &*self;
+        let made: Vec<_> = std::thread::scope(|scope| {
+            let threads: Vec<_> = missing.iter().map(|pass| scope.spawn(|| this.make(gpu, pass, features))).collect();
+            threads.into_iter().map(|thread| thread.join()).collect()
+        });
+        for (pass, made) in missing.into_iter().zip(made) {
+            let (key, pipeline) = made.unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
+            self.keep(pass, features, key, &pipeline);
+        }
+        Ok(())
+    }
+
+    fn known(&self, pass: &Pass, features: &Features) -> Option<&Arc<Pipeline>> {
+        self.keys.get(pass.name).filter(|(key, _)| key == features).map(|(_, pipeline)| pipeline)
+    }
+
+    /// Links a pass, and compiles it if no other features came down to the same.
+    fn make(&self, gpu: &Gpu, pass: &'static Pass, features: &Features) -> Result<(Features, Arc<Pipeline>), GpuError> {
+        let linked = self.library.link(pass.module, features)?;
+        let key = linked.features.clone();
+        if let Some(pipeline) = self.kept.get(&(pass.name, key.clone())) {
+            return Ok((key, pipeline.clone()));
+        }
+        let serial = self.serial.fetch_add(1, Ordering::Relaxed);
+        Ok((key, Arc::new(compile(gpu, pass, linked, features, serial)?)))
+    }
+
+    fn keep(&mut self, pass: &'static Pass, features: &Features, key: Features, pipeline: &Arc<Pipeline>) {
+        self.kept.insert((pass.name, key), pipeline.clone());
+        self.keys.insert(pass.name, (features.clone(), pipeline.clone()));
     }
 }
 

@@ -78,12 +78,10 @@ impl Runtime {
         self.player.play(stage, recording, self.timer.as_mut())
     }
 
-    /// Compiles what a recording needs, without running it.
-    pub fn prepare(&mut self, recording: &Recording) -> Result<(), GpuError> {
-        for call in recording.calls() {
-            self.pipelines.get(&self.gpu, call.pass, &self.features)?;
-        }
-        Ok(())
+    /// Compiles what recordings need, all at once, without running them.
+    pub fn prepare(&mut self, recordings: &[&Recording]) -> Result<(), GpuError> {
+        let passes: Vec<_> = recordings.iter().flat_map(|r| r.calls()).map(|call| call.pass).collect();
+        self.pipelines.prepare(&self.gpu, &passes, &self.features)
     }
 
     /// Waits until all that was submitted is done.

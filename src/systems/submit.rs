@@ -22,6 +22,7 @@ fn submit_frame(
     scene: Res<PackedScene>,
 ) -> Result<(), EngineError> {
     let frame = std::mem::take(&mut *frame);
+    device.0.prepare(&[&frame.build, &frame.trace])?;
     if dirty.tree {
         let start = Instant::now();
         device.0.play(&frame.build)?;
@@ -33,7 +34,6 @@ fn submit_frame(
     if frame.trace.calls().next().is_none() {
         return Ok(());
     }
-    device.0.prepare(&frame.trace)?;
     let start = Instant::now();
     device.0.play(&frame.trace)?;
     device.0.wait()?;

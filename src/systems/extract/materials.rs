@@ -6,11 +6,13 @@ use crate::components::{Energy, Material, Name, Render};
 use crate::layout::trace::{EnergyRule, MaterialRecord, Reflector};
 use crate::systems::state::{Dirty, PackedScene, Pending};
 
+type Touched = Or<(Changed<Material>, Changed<Name>)>;
+
 /// Repacks all records where a material came, went, changed or was renamed, or the energy policy changed; sends on only
 /// those that are not what they were.
 pub fn extract_changed_materials(
     materials: Query<(Entity, &Name, &Material)>,
-    changed: Query<(), Or<(Changed<Material>, (With<Material>, Changed<Name>))>>,
+    changed: Query<(), (With<Material>, Touched)>,
     mut removed: RemovedComponents<Material>,
     render: Query<Ref<Render>>,
     mut scene: ResMut<PackedScene>,
