@@ -39,7 +39,7 @@ import package::lib::bsdf::mixture::{mixture_sample, mixture_value};
 import package::lib::math::{expm1_negative, log1p_negative, sin_cos_turns};
 import package::lib::rng::{sample_1d, sample_2d};
 
-@group(0) @binding(0) var<uniform> params: BsdfProbe;
+@group(0) @binding(0) var<storage, read> params: BsdfProbe;
 @group(0) @binding(1) var<storage, read_write> probed: array<vec4<f32>>;
 
 @compute @workgroup_size(64)

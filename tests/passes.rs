@@ -23,9 +23,10 @@ fn feature_sets(library: &Library, pass: &Pass) -> Vec<Features> {
 
 fn described(bound: &BoundResource) -> (String, Access, String) {
     let access = match bound.kind {
+        ResourceKind::StorageRead if bound.name == "params" => Access::Params,
         ResourceKind::StorageRead => Access::Read,
         ResourceKind::StorageReadWrite => Access::Write,
-        ResourceKind::Uniform => Access::Params,
+        ResourceKind::Uniform => panic!("`{}` is a uniform; parameters are storage, see Access::Params", bound.name),
     };
     (bound.name.clone(), access, bound.ty.clone())
 }

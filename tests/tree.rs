@@ -239,7 +239,7 @@ import package::gen::BuildParams;
 @group(0) @binding(0) var<storage, read> found: array<u32>;
 @group(0) @binding(1) var<storage, read> expected: array<u32>;
 @group(0) @binding(2) var<storage, read_write> differences: array<atomic<u32>>;
-@group(0) @binding(3) var<uniform> params: BuildParams;
+@group(0) @binding(3) var<storage, read> params: BuildParams;
 
 @compute @workgroup_size(256)
 fn differ(

@@ -2,7 +2,7 @@
 
 import package::gen::{ClearParams};
 
-@group(0) @binding(0) var<uniform> params: ClearParams;
+@group(0) @binding(0) var<storage, read> params: ClearParams;
 @group(0) @binding(1) var<storage, read_write> words: array<u32>;
 
 @compute @workgroup_size(256)

@@ -82,6 +82,11 @@ impl Pipelines {
     }
 }
 
+/// Whether a binding is the pass's parameters.
+pub(super) fn is_params(pass: &Pass, binding: &str) -> bool {
+    pass.bindings.iter().any(|row| row.name == binding && row.access == Access::Params)
+}
+
 /// Checks that a row names just what the shader uses. Everything is found by name, so only the sets must agree.
 pub fn check_row(pass: &Pass, entry: &EntryPoint, features: &Features) -> Result<(), GpuError> {
     let fail = |reason: String| Err(GpuError::Mismatch { pass: pass.name, reason });
@@ -91,9 +96,8 @@ pub fn check_row(pass: &Pass, entry: &EntryPoint, features: &Features) -> Result
             return fail(format!("the row names `{}`, and `{}` does not use it", row.name, entry.name));
         };
         let kind = match row.access {
-            Access::Read => ResourceKind::StorageRead,
+            Access::Read | Access::Params => ResourceKind::StorageRead,
             Access::Write => ResourceKind::StorageReadWrite,
-            Access::Params => ResourceKind::Uniform,
         };
         if found.kind != kind || found.ty != row.ty {
             return fail(format!(
@@ -135,7 +139,7 @@ fn compile(
                     ResourceKind::StorageRead => wgpu::BufferBindingType::Storage { read_only: true },
                     ResourceKind::StorageReadWrite => wgpu::BufferBindingType::Storage { read_only: false },
                 },
-                has_dynamic_offset: b.kind == ResourceKind::Uniform,
+                has_dynamic_offset: is_params(pass, &b.name),
                 min_binding_size: None,
             },
             count: None,

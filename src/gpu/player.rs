@@ -1,4 +1,4 @@
-//! Plays a recording: one command buffer, one compute pass, every parameter in one uniform buffer.
+//! Plays a recording: one command buffer, one compute pass, every parameter in one buffer.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::pipelines::{Pipeline, Pipelines};
 use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError};
-use crate::passes::{Call, Recording, Size};
-use crate::shader::{Features, ResourceKind};
+use crate::passes::{Access, Call, Recording, Size};
+use crate::shader::Features;
 
 /// What identifies a bind group: its pipeline, and each buffer by name and generation.
 type BindKey = (u64, Vec<(&'static str, u64)>);
@@ -76,7 +76,7 @@ impl Player {
 
     /// Packs the parameters of all calls into one buffer. Returns each call's offset in it.
     fn upload_params(&mut self, gpu: &Gpu, calls: &[&Call]) -> Result<Vec<Option<u32>>, GpuError> {
-        let align = gpu.limits.min_uniform_buffer_offset_alignment as usize;
+        let align = gpu.limits.min_storage_buffer_offset_alignment as usize;
         let mut bytes: Vec<u8> = Vec::new();
         let mut offsets = Vec::with_capacity(calls.len());
         for call in calls {
@@ -96,7 +96,7 @@ impl Player {
                 gpu.device.create_buffer(&wgpu::BufferDescriptor {
                     label: Some(PARAMS),
                     size: size.next_power_of_two().max(4096),
-                    usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                    usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
                     mapped_at_creation: false,
                 })
             })?);
@@ -119,7 +119,7 @@ impl Player {
         let mut entries = Vec::with_capacity(pipeline.entry.bindings.len());
         for row in call.pass.bindings {
             let Some(found) = pipeline.entry.bindings.iter().find(|b| b.name == row.name) else { continue };
-            if found.kind == ResourceKind::Uniform {
+            if row.access == Access::Params {
                 let buffer = self.params.as_ref().expect("invariant: parameters are uploaded before binding");
                 key.push((PARAMS, self.params_generation));
                 entries.push(entry(found.binding, buffer, u64::from(found.size).next_multiple_of(16)));

@@ -40,7 +40,7 @@ impl Binding {
         Self { name, access: Access::Write, ty, feature: "" }
     }
 
-    /// The pass's parameters: `var<uniform> params`.
+    /// The pass's parameters: `var<storage, read> params`.
     pub const fn params(ty: &'static str) -> Self {
         Self { name: "params", access: Access::Params, ty, feature: "" }
     }
@@ -59,7 +59,8 @@ pub enum Access {
     Read,
     /// `var<storage, read_write>`
     Write,
-    /// `var<uniform>`, filled from the call's own parameters.
+    /// `var<storage, read>`, filled from the call's own parameters. Not a uniform: lavapipe compiles a shader anew for
+    /// each value of a uniform that one of its loops or branches depends on.
     Params,
 }
 

@@ -15,7 +15,7 @@ import package::lib::intersect::{prepare_query};
 import package::passes::trace::scene::{leaves, nodes, scene_extent};
 import package::passes::trace::traverse::{test_leaf};
 
-@group(0) @binding(2) var<uniform> params: ExtendParams;
+@group(0) @binding(2) var<storage, read> params: ExtendParams;
 @group(0) @binding(3) var<storage, read> rays: array<Ray>;
 @group(0) @binding(4) var<storage, read_write> hits: array<Hit>;
 

@@ -3,7 +3,7 @@
 import package::gen::{DisplayParams, FilmPixel};
 import package::lib::colour::{srgb8};
 
-@group(0) @binding(0) var<uniform> params: DisplayParams;
+@group(0) @binding(0) var<storage, read> params: DisplayParams;
 @group(0) @binding(1) var<storage, read> film: array<FilmPixel>;
 @group(0) @binding(2) var<storage, read_write> picture: array<u32>;
 

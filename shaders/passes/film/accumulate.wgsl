@@ -6,7 +6,7 @@ import package::gen::{BAD_LOG, BAD_OVERFLOW, NO_MATERIAL, SAMPLE_BAD, UNKNOWN_BO
 import package::lib::fixed::{add_u64, fixed_point};
 import package::lib::fault::{fault_of};
 
-@group(0) @binding(0) var<uniform> params: AccumulateParams;
+@group(0) @binding(0) var<storage, read> params: AccumulateParams;
 @group(0) @binding(1) var<storage, read> radiance: array<RadianceSample>;
 @group(0) @binding(2) var<storage, read_write> film: array<FilmPixel>;
 @group(0) @binding(3) var<storage, read_write> counters: FilmCounters;

@@ -5,7 +5,7 @@ import package::lib::ordered::ordered_bits;
 
 @group(0) @binding(0) var<storage, read> triangles: array<Triangle>;
 @group(0) @binding(1) var<storage, read_write> centroid_bounds: array<atomic<u32>>;
-@group(0) @binding(2) var<uniform> params: BuildParams;
+@group(0) @binding(2) var<storage, read> params: BuildParams;
 
 const GROUP_SIZE = 256u;
 

@@ -12,7 +12,7 @@ import package::lib::ordered::{greatest_corner, least_corner};
 @group(0) @binding(1) var<storage, read> centroid_bounds: array<vec4<u32>>;
 @group(0) @binding(2) var<storage, read_write> keys: array<vec2<u32>>;
 @group(0) @binding(3) var<storage, read_write> payload: array<u32>;
-@group(0) @binding(4) var<uniform> params: BuildParams;
+@group(0) @binding(4) var<storage, read> params: BuildParams;
 
 const GROUP_SIZE = 256u;
 

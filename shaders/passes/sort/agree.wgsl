@@ -3,7 +3,7 @@
 import package::gen::{SortParams, SORT_THREADS, SORT_ITEMS, SORT_TILE};
 import package::passes::sort::agreement::{NO_KEYS, merge, merge_over_workgroup};
 
-@group(0) @binding(0) var<uniform> params: SortParams;
+@group(0) @binding(0) var<storage, read> params: SortParams;
 @group(0) @binding(1) var<storage, read> keys: array<vec2<u32>>;
 @group(0) @binding(2) var<storage, read_write> sort_agreements: array<vec4<u32>>;
 

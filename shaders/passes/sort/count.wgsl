@@ -4,7 +4,7 @@ import package::gen::{SortParams, SortPlan, SORT_THREADS, SORT_ITEMS, SORT_TILE,
 import package::passes::sort::digit::digit_of;
 @if(sort_census) import package::passes::sort::digit::take_census;
 
-@group(0) @binding(0) var<uniform> params: SortParams;
+@group(0) @binding(0) var<storage, read> params: SortParams;
 @group(0) @binding(1) var<storage, read> sort_plan: SortPlan;
 @group(0) @binding(2) var<storage, read> keys: array<vec2<u32>>;
 @group(0) @binding(3) var<storage, read> keys_back: array<vec2<u32>>;

@@ -3,7 +3,7 @@
 
 import package::gen::{SortParams, SORT_THREADS};
 
-@group(0) @binding(0) var<uniform> params: SortParams;
+@group(0) @binding(0) var<storage, read> params: SortParams;
 @group(0) @binding(1) var<storage, read_write> keys: array<vec2<u32>>;
 @group(0) @binding(2) var<storage, read_write> payload: array<u32>;
 

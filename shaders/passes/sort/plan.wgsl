@@ -5,7 +5,7 @@ import package::gen::{SORT_IN_FRONT, SORT_IN_BACK};
 import package::passes::sort::agreement::{NO_KEYS, merge, merge_over_workgroup};
 import package::passes::sort::digit::digit_of;
 
-@group(0) @binding(0) var<uniform> params: SortParams;
+@group(0) @binding(0) var<storage, read> params: SortParams;
 @group(0) @binding(1) var<storage, read> sort_agreements: array<vec4<u32>>;
 @group(0) @binding(2) var<storage, read_write> sort_plan: SortPlan;
 

@@ -4,7 +4,7 @@ import package::gen::{SortParams, SORT_THREADS, SORT_BINS, SORT_SCAN_ITEMS, SORT
 import package::passes::sort::prefix::prefix_over_workgroup;
 @if(sort_census) import package::passes::sort::digit::take_census;
 
-@group(0) @binding(0) var<uniform> params: SortParams;
+@group(0) @binding(0) var<storage, read> params: SortParams;
 @group(0) @binding(1) var<storage, read_write> sort_counts: array<u32>;
 /// Digit by digit, and bin by bin in a digit.
 @group(0) @binding(2) var<storage, read_write> sort_totals: array<u32>;

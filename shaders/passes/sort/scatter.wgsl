@@ -12,7 +12,7 @@ import package::passes::sort::digit::digit_of;
 import package::passes::sort::prefix::prefix_over_workgroup;
 @if(sort_census) import package::passes::sort::digit::take_census;
 
-@group(0) @binding(0) var<uniform> params: SortParams;
+@group(0) @binding(0) var<storage, read> params: SortParams;
 @group(0) @binding(1) var<storage, read> sort_plan: SortPlan;
 @group(0) @binding(2) var<storage, read> sort_counts: array<u32>;
 @group(0) @binding(3) var<storage, read> sort_totals: array<u32>;

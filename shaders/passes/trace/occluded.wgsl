@@ -3,7 +3,7 @@
 import package::gen::{ExtendParams, Ray};
 import package::passes::trace::traverse::{any_hit};
 
-@group(0) @binding(2) var<uniform> params: ExtendParams;
+@group(0) @binding(2) var<storage, read> params: ExtendParams;
 @group(0) @binding(3) var<storage, read> rays: array<Ray>;
 @group(0) @binding(4) var<storage, read_write> occlusion: array<u32>;
 

@@ -18,7 +18,7 @@ import package::lib::rng::{sample_1d, sample_2d};
 import package::passes::trace::scene::{leaves};
 import package::passes::trace::traverse::{closest_hit};
 
-@group(0) @binding(2) var<uniform> params: TraceParams;
+@group(0) @binding(2) var<storage, read> params: TraceParams;
 @group(0) @binding(3) var<storage, read> materials: array<MaterialRecord>;
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
 @if(normals) @group(0) @binding(5) var<storage, read> shading: array<Shading>;

@@ -8,7 +8,7 @@ import package::gen::{BuildParams, LeafBox, SORT_IN_BACK, SortPlan, Triangle};
 @group(0) @binding(3) var<storage, read> payload_back: array<u32>;
 @group(0) @binding(4) var<storage, read_write> leaves: array<Triangle>;
 @group(0) @binding(5) var<storage, read_write> boxes: array<LeafBox>;
-@group(0) @binding(6) var<uniform> params: BuildParams;
+@group(0) @binding(6) var<storage, read> params: BuildParams;
 
 const GROUP_SIZE = 256u;
 

@@ -11,7 +11,7 @@ import package::gen::{BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, SORT_IN_BAC
 @group(0) @binding(2) var<storage, read> keys_back: array<vec2<u32>>;
 @group(0) @binding(3) var<storage, read> boxes: array<LeafBox>;
 @group(0) @binding(4) var<storage, read_write> nodes: array<Node>;
-@group(0) @binding(5) var<uniform> params: BuildParams;
+@group(0) @binding(5) var<storage, read> params: BuildParams;
 
 const GROUP_SIZE = 256u;
 // More than the bits of an index: no range takes more steps to find, no pyramid has more levels.

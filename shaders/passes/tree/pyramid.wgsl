@@ -6,7 +6,7 @@
 import package::gen::{LeafBox, PYRAMID_LEVELS, PyramidParams};
 
 @group(0) @binding(0) var<storage, read_write> boxes: array<LeafBox>;
-@group(0) @binding(1) var<uniform> params: PyramidParams;
+@group(0) @binding(1) var<storage, read> params: PyramidParams;
 
 // 2^(PYRAMID_LEVELS - 1), so that the last level is one box a workgroup.
 const GROUP_SIZE = 1u << (PYRAMID_LEVELS - 1u);
