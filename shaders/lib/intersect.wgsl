@@ -22,7 +22,7 @@ const LEAST_AREA: f32 = 7.52316384526264e-37;
 struct Query {
     origin: vec3<f32>,
     t_min: f32,
-    // Shear and scale that turn the ray into the z axis, in permuted axes.
+    // Shear that turns the ray into the z axis, in permuted axes; z is t by depth in units of `unit`.
     shear: vec3<f32>,
     t_max: f32,
     // Plane p along an axis is met at p * inverse + low if it bounds a box from below, + high from above. The box is
@@ -32,6 +32,8 @@ struct Query {
     axis: u32,
     low: vec3<f32>,
     high: vec3<f32>,
+    // A power of two by which ray and scene come to about 1, so that products neither underflow nor depend on the scale.
+    unit: f32,
 }
 
 struct TriangleHit {
@@ -70,15 +72,17 @@ fn prepare_query(ray: Ray, extent: f32) -> Query {
     let o = abs(ray.origin);
     let along = reciprocal(d.z);
     let reach = vec3(max(max(o.x, o.y), o.z) + extent);
+    let exponent = clamp(bitcast<u32>(reach.x) >> 23u, 27u, 227u);
     return Query(
         ray.origin,
         ray.t_min,
-        vec3(d.xy * along, along),
+        vec3(d.xy * along, along * bitcast<f32>(exponent << 23u)),
         ray.t_max,
         inverse,
         axis,
         -(fma(vec3(SLAB_GROWTH), reach, ray.origin) * inverse),
         -(fma(vec3(-SLAB_GROWTH), reach, ray.origin) * inverse),
+        bitcast<f32>((254u - exponent) << 23u),
     );
 }
 
@@ -123,7 +127,7 @@ fn triangle_normal(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> vec3<f32> {
 
 // A corner relative to the ray: the ray is x = y = 0, and z grows along it.
 fn shear_corner(query: Query, corner: vec3<f32>) -> vec3<f32> {
-    let p = permute(corner - query.origin, query.axis);
+    let p = permute((corner - query.origin) * query.unit, query.axis);
     return vec3(fma(-query.shear.xy, p.zz, p.xy), p.z);
 }
 
@@ -141,7 +145,8 @@ fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) ->
         return result;
     }
     let interval = slab_interval(query, min(min(a, b), c), max(max(a, b), c));
-    if interval.x > interval.y || all(triangle_normal(a, b, c) == vec3(0.0)) {
+    let raw = triangle_normal(a * query.unit, b * query.unit, c * query.unit);
+    if interval.x > interval.y || all(raw == vec3(0.0)) {
         return result;
     }
     let scale = reciprocal(det);

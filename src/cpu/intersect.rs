@@ -48,7 +48,7 @@ pub struct Query {
     pub fma: Fma,
     pub origin: Vec3,
     pub t_min: f32,
-    /// Shear and scale that turn the ray into the z axis, in permuted axes.
+    /// Shear that turns the ray into the z axis, in permuted axes; z is t by depth in units of `unit`.
     pub shear: Vec3,
     pub t_max: f32,
     /// Plane p along an axis is met at `p * inverse + low` if it bounds a box from below, `+ high` from above.
@@ -57,6 +57,8 @@ pub struct Query {
     pub axis: usize,
     pub low: Vec3,
     pub high: Vec3,
+    /// A power of two by which ray and scene come to about 1.
+    pub unit: f32,
 }
 
 /// A triangle's hit, not yet compared with the ray's ends.
@@ -104,16 +106,18 @@ pub fn prepare_query(fma: Fma, ray: &Ray, extent: f32) -> Query {
     let inverse = Vec3::from_array(ray.direction.to_array().map(|d| fma.reciprocal(safe(d))));
     let along = fma.reciprocal(d.z);
     let reach = Vec3::splat(ray.origin.abs().max_element() + extent);
+    let exponent = (reach.x.to_bits() >> 23).clamp(27, 227);
     Query {
         fma,
         origin: ray.origin,
         t_min: ray.t_min,
-        shear: Vec3::new(d.x * along, d.y * along, along),
+        shear: Vec3::new(d.x * along, d.y * along, along * f32::from_bits(exponent << 23)),
         t_max: ray.t_max,
         inverse,
         axis,
         low: -(fma.of_vectors(Vec3::splat(SLAB_GROWTH), reach, ray.origin) * inverse),
         high: -(fma.of_vectors(Vec3::splat(-SLAB_GROWTH), reach, ray.origin) * inverse),
+        unit: f32::from_bits((254 - exponent) << 23),
     }
 }
 
@@ -152,7 +156,7 @@ pub fn triangle_normal(fma: Fma, a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
 
 /// A corner relative to the ray: the ray is x = y = 0, and z grows along it.
 pub fn shear_corner(query: &Query, corner: Vec3) -> Vec3 {
-    let p = permute(corner - query.origin, query.axis);
+    let p = permute((corner - query.origin) * query.unit, query.axis);
     Vec3::new(query.fma.of(-query.shear.x, p.z, p.x), query.fma.of(-query.shear.y, p.z, p.y), p.z)
 }
 
@@ -168,7 +172,8 @@ pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<Tr
         return None;
     }
     let interval = slab_interval(query, Bounds { low: a.min(b).min(c), high: a.max(b).max(c) });
-    if interval.x > interval.y || triangle_normal(fma, a, b, c) == Vec3::ZERO {
+    let raw = triangle_normal(fma, a * query.unit, b * query.unit, c * query.unit);
+    if interval.x > interval.y || raw == Vec3::ZERO {
         return None;
     }
     let scale = fma.reciprocal(det);
