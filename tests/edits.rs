@@ -228,3 +228,112 @@ fn a_scene_far_from_zero_is_the_scene_at_zero() {
     assert!(near.iter().any(|p| p.halves[0].sum[0] != UVec2::ZERO));
     assert!(film(DVec3::new(2f64.powi(20), -(2f64.powi(21)), 2f64.powi(22))) == near);
 }
+
+/// Two quads that face the camera, under a sky.
+fn two_quads() -> SceneDescription {
+    let entry = |x: f64, count: usize| MeshEntry {
+        geometry: quads(count),
+        transform: Transform(DAffine3::from_translation(DVec3::X * x)),
+        material: "lamp".into(),
+    };
+    let lamp = Material { emission: Vec3::splat(3.0), ..Default::default() };
+    SceneDescription {
+        name: "quads".into(),
+        meshes: [("a".into(), entry(-1.0, 1)), ("b".into(), entry(1.0, 20))].into(),
+        materials: [("lamp".into(), lamp)].into(),
+        cameras: [(
+            "front".into(),
+            Camera { position: DVec3::Z * 4.0, look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 50.0 },
+        )]
+        .into(),
+        active: "front".into(),
+        film: Film { size: UVec2::splat(16), ..Default::default() },
+        render: Render { spp: 4, ..Default::default() },
+        environment: Some(Environment::Constant(Vec3::splat(0.25))),
+    }
+}
+
+/// Quads one behind the other.
+fn quads(count: usize) -> Arc<MeshData> {
+    let corners = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)];
+    let at = |z: usize| corners.map(|(x, y)| DVec3::new(x, y, -0.01 * z as f64));
+    let triangles = (0..count as u32).flat_map(|i| [[0, 1, 2], [0, 2, 3]].map(|t: [u32; 3]| t.map(|c| c + 4 * i)));
+    Arc::new(MeshData {
+        positions: (0..count).flat_map(at).collect(),
+        triangles: triangles.collect(),
+        ..Default::default()
+    })
+}
+
+fn by_name(world: &mut World, name: &str) -> Entity {
+    let mut names = world.query::<(Entity, &Name)>();
+    names.iter(world).find(|(_, found)| found.as_str() == name).unwrap().0
+}
+
+/// The film of an engine equals that of its scene opened fresh.
+fn assert_law(engine: &mut Engine) {
+    let edited = pixels(engine);
+    let description = engine.edit(describe);
+    let fresh = pixels(&mut Engine::open(support::gpu(), Library::shipped(), &description).unwrap());
+    assert!(edited == fresh, "{} pixels differ", count_different(&edited, &fresh));
+}
+
+#[test]
+fn a_mesh_that_grows_leaves_the_others_as_they_are() {
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &two_quads()).unwrap();
+    pixels(&mut engine);
+    engine.edit(|world| {
+        let last = by_name(world, "b");
+        world.get_mut::<Geometry>(last).unwrap().0 = quads(200);
+    });
+    assert_law(&mut engine);
+}
+
+#[test]
+fn what_an_error_left_half_done_is_done_anew() {
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &two_quads()).unwrap();
+    pixels(&mut engine);
+    let camera = engine.edit(|world| {
+        let last = by_name(world, "b");
+        world.get_mut::<Geometry>(last).unwrap().0 = quads(400);
+        let camera = by_name(world, "front");
+        world.entity_mut(camera).take::<Camera>().unwrap()
+    });
+    assert!(engine.step(Duration::from_millis(1)).is_err(), "there is no camera");
+    engine.edit(|world| {
+        let last = by_name(world, "b");
+        world.get_mut::<Geometry>(last).unwrap().0 = quads(1);
+        let front = by_name(world, "front");
+        world.entity_mut(front).insert(camera);
+    });
+    assert_law(&mut engine);
+}
+
+#[test]
+fn a_mesh_without_a_name_is_none() {
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &two_quads()).unwrap();
+    pixels(&mut engine);
+    engine.step(Duration::from_millis(1)).unwrap();
+    engine.edit(|world| {
+        let last = by_name(world, "b");
+        world.entity_mut(last).remove::<Name>();
+    });
+    assert_law(&mut engine);
+}
+
+#[test]
+fn a_scene_may_have_no_triangles_at_any_time() {
+    let mut description = two_quads();
+    let meshes = std::mem::take(&mut description.meshes);
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &description).unwrap();
+    pixels(&mut engine);
+    assert_eq!(engine.film().unwrap().rgb, [[0.25; 3]; 256]);
+    description.meshes = meshes;
+    engine.edit(|world| scene::apply(world, &description));
+    assert_law(&mut engine);
+    assert_ne!(engine.film().unwrap().rgb, [[0.25; 3]; 256]);
+    description.meshes.clear();
+    engine.edit(|world| scene::apply(world, &description));
+    assert_law(&mut engine);
+    assert_eq!(engine.film().unwrap().rgb, [[0.25; 3]; 256]);
+}

@@ -100,7 +100,9 @@ impl Engine {
         self.schedule.run(&mut self.world);
         self.world.clear_trackers();
         if let Some(error) = self.world.resource_mut::<Fault>().0.take() {
-            // What was recorded may not have run: the film starts anew once the cause is gone.
+            // What was packed may not have been sent, nor what was recorded have run: all starts anew once the cause is gone.
+            *self.world.resource_mut::<Pending>() = Pending::default();
+            self.world.resource_mut::<PackedScene>().sent = false;
             self.world.resource_mut::<Dirty>().film = true;
             return Err(error);
         }

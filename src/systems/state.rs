@@ -37,6 +37,8 @@ pub fn no_fault(fault: Res<Fault>) -> bool {
 /// The scene as the GPU holds it, by index.
 #[derive(Resource, Default)]
 pub struct PackedScene {
+    /// Triangles and records are those that the device was sent; if not, all of them are to be sent again.
+    pub sent: bool,
     /// World space point that is zero on the GPU.
     pub origin: DVec3,
     /// Triangles of all meshes, in the order of the meshes' names.

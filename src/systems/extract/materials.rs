@@ -10,18 +10,19 @@ type Touched = Or<(Changed<Material>, Changed<Name>)>;
 
 /// Repacks all records where a material came, went, changed or was renamed, or the energy policy changed; sends on only
 /// those that are not what they were.
+#[expect(clippy::too_many_arguments, reason = "a system's arguments are what it reads and writes")]
 pub fn extract_changed_materials(
     materials: Query<(Entity, &Name, &Material)>,
     changed: Query<(), (With<Material>, Touched)>,
     mut removed: RemovedComponents<Material>,
+    mut unnamed: RemovedComponents<Name>,
     render: Query<Ref<Render>>,
     mut scene: ResMut<PackedScene>,
     mut pending: ResMut<Pending>,
     mut dirty: ResMut<Dirty>,
 ) {
-    let removed = removed.read().count() > 0;
-    let first = scene.records.is_empty();
-    if !first && !removed && changed.is_empty() && !render.iter().any(|r| r.is_changed()) {
+    let removed = removed.read().count() + unnamed.read().count() > 0;
+    if scene.sent && !removed && changed.is_empty() && !render.iter().any(|r| r.is_changed()) {
         return;
     }
     let rule = match render.iter().next().map(|r| r.energy).unwrap_or_default() {
@@ -37,7 +38,7 @@ pub fn extract_changed_materials(
         scene.material_index = order.iter().zip(0..).map(|(entity, i)| (*entity, i)).collect();
         scene.materials = order;
     }
-    if records.len() != scene.records.len() {
+    if !scene.sent || records.len() != scene.records.len() {
         pending.materials = vec![(0, records.clone())];
         dirty.film = true;
     } else {

@@ -15,7 +15,8 @@ use crate::systems::state::{Dirty, MeshSlot, PackedScene, Pending};
 type Mesh<'a> = (Entity, &'a Name, &'a Geometry, Option<&'a Transform>, Option<&'a UsesMaterial>, Option<&'a MeshSlot>);
 type Touched = Or<(Changed<Geometry>, Changed<Transform>, Changed<UsesMaterial>, Changed<Name>)>;
 
-/// Finds the meshes that are not what their slots say, and flattens those; all of them where slots move or the origin does.
+/// Finds the meshes that are not what their slots say, and flattens those; all of them where slots or the origin move, or
+/// the buffers have to grow, which then lose what they held.
 #[expect(clippy::too_many_arguments, reason = "a system's arguments are what it reads and writes")]
 pub fn extract_changed_meshes(
     meshes: Query<Mesh>,
@@ -23,14 +24,15 @@ pub fn extract_changed_meshes(
     mut gone: RemovedComponents<Geometry>,
     mut unset: RemovedComponents<UsesMaterial>,
     mut unmoved: RemovedComponents<Transform>,
+    mut unnamed: RemovedComponents<Name>,
     mut commands: Commands,
     mut scene: ResMut<PackedScene>,
     mut pending: ResMut<Pending>,
     mut dirty: ResMut<Dirty>,
 ) -> Result<(), EngineError> {
     let gone: Vec<Entity> = gone.read().collect();
-    let removed = !gone.is_empty() || unset.read().count() + unmoved.read().count() > 0;
-    if touched.is_empty() && !removed && !scene.is_changed() {
+    let removed = !gone.is_empty() || unset.read().count() + unmoved.read().count() + unnamed.read().count() > 0;
+    if scene.sent && touched.is_empty() && !removed && !scene.is_changed() {
         return Ok(());
     }
     for entity in gone {
@@ -44,7 +46,9 @@ pub fn extract_changed_meshes(
     let origin = choose_origin(&slots);
     let order: Vec<Entity> = sorted.iter().map(|mesh| mesh.0).collect();
     let normals = slots.iter().any(|slot| !slot.geometry.normal_triangles.is_empty());
-    let all = order != scene.meshes || origin != scene.origin || normals != scene.normals;
+    let triangles = slots.last().map_or(0, |slot| slot.first + slot.count);
+    let moved = order != scene.meshes || origin != scene.origin || normals != scene.normals;
+    let all = !scene.sent || moved || triangles > scene.triangles;
     let mut changed = all;
     for ((entity, .., old), slot) in sorted.iter().zip(slots.iter()) {
         if !all && old.is_some_and(|old| same(old, slot)) {
@@ -55,7 +59,8 @@ pub fn extract_changed_meshes(
         commands.entity(*entity).insert(slot.clone());
     }
     if changed {
-        scene.triangles = slots.last().map_or(0, |slot| slot.first + slot.count);
+        scene.sent = true;
+        scene.triangles = triangles;
         scene.meshes = order;
         scene.origin = origin;
         scene.normals = normals;
