@@ -327,3 +327,10 @@ fn applying_another_scene_leaves_nothing_of_the_first() {
     let used = world.query::<&UsesMaterial>().single(&world).unwrap().0;
     assert_eq!(world.get::<Name>(used).unwrap().as_str(), "other:red");
 }
+
+#[test]
+fn a_define_of_endless_parts_is_an_error() {
+    let path = ["a"; 100_000].join(".");
+    let errors = load_text("()", &[(&path, "1")]).unwrap_err();
+    assert!(errors.to_string().contains("levels deep"), "another error");
+}

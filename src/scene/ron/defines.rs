@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::tree::{Kind, Node, parse_slice};
+use super::tree::{Kind, MAX_DEPTH, Node, parse_slice};
 use crate::scene::diagnostic::Diagnostic;
 use crate::scene::text::Text;
 
@@ -48,6 +48,9 @@ fn segments<'a>(text: &'a Text, path: &'a str) -> Result<Vec<&'a str>, Diagnosti
             return Err(text.error(rest, message).help("write it like materials.teapot.ns=64"));
         }
         list.push(segment);
+        if list.len() > MAX_DEPTH {
+            return Err(text.error(segment, format!("a field path more than {MAX_DEPTH} levels deep")));
+        }
         match after.strip_prefix('.') {
             Some(next) => rest = next,
             None if after.is_empty() => return Ok(list),

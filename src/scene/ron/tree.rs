@@ -11,7 +11,7 @@ use crate::scene::diagnostic::Diagnostic;
 use crate::scene::text::Text;
 
 /// Levels that a tree may have: scene files need eight, and ron reads a text once a level.
-const MAX_DEPTH: usize = 24;
+pub const MAX_DEPTH: usize = 24;
 
 /// A value and where it stands.
 #[derive(Clone, Debug)]
