@@ -65,7 +65,8 @@ impl Account<'_> {
         let scene = self.description;
         let mut words = vec!["lucerna".to_owned(), "render".to_owned(), quoted(&self.path.display().to_string())];
         let mut option = |name: &str, value: String| words.extend([name.to_owned(), quoted(&value)]);
-        option("--spp", self.film.spp.to_string());
+        // Interrupted within the first sample, there is none to be had again that is whole.
+        option("--spp", self.film.spp.max(1).to_string());
         option("--size", format!("{}x{}", scene.film.size.x, scene.film.size.y));
         if scene.film.crop.is_some() {
             option("--crop", crop(self.film.window));
