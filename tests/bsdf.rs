@@ -9,7 +9,7 @@ use lucerna::gpu::Runtime;
 use lucerna::gpu_struct;
 use lucerna::layout::GpuConst;
 use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector};
-use lucerna::passes::{Binding, Pass, Recording, Shape, Size};
+use lucerna::passes::{Binding, Pass, Recording, Size};
 use lucerna::shader::Library;
 
 use crate::statistics::{CHI_SQUARE_LIMIT, chi_square_z};
@@ -85,7 +85,6 @@ macro_rules! probe {
             module: "tests/bsdf",
             entry: $entry,
             bindings: &[Binding::params("BsdfProbe"), Binding::write("probed", "array<vec4<f32>>")],
-            shape: Shape::Items,
         };
     };
 }

@@ -5,7 +5,7 @@ use lucerna::cpu::tree::{self, Tree};
 use lucerna::cpu::tree_check::{TreeFault, TreeMeasure, measure};
 use lucerna::gpu::Runtime;
 use lucerna::layout::tree::{BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, Triangle, node_count, root};
-use lucerna::passes::{Binding, Pass, Recording, Shape, Size, build};
+use lucerna::passes::{Binding, Pass, Recording, Size, build};
 use lucerna::scene::generate::SplitMix;
 use lucerna::shader::Library;
 
@@ -230,7 +230,6 @@ static DIFFER: Pass = Pass {
         Binding::write("differences", "array<atomic<u32>>"),
         Binding::params("BuildParams"),
     ],
-    shape: Shape::Items,
 };
 
 const DIFFER_WGSL: &str = "

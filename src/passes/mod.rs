@@ -1,7 +1,7 @@
 //! The pass table and the recording of dispatches. Does not know wgpu.
 //!
-//! A pass is one row: a name, a WGSL entry point, its bindings by name, and the shape of its dispatches. A stage's file
-//! holds its rows, the buffers they need, and the function that records them. [`table::TABLE`] lists every row.
+//! A pass is one row: a name, a WGSL entry point and its bindings by name. A stage's file holds its rows, the buffers they
+//! need, and the functions that record them. [`table::TABLE`] lists every row.
 
 pub mod build;
 mod clear;
@@ -14,5 +14,5 @@ pub mod table;
 pub mod trace;
 
 pub use clear::{CLEAR, clear};
-pub use pass::{Access, Binding, Pass, Shape};
+pub use pass::{Access, Binding, Pass};
 pub use recording::{Call, Recording, Size};

@@ -1,6 +1,6 @@
 //! One row of the pass table.
 
-/// A compute pass: what runs, on which buffers, over what.
+/// A compute pass: what runs, and on which buffers.
 ///
 /// The row is checked against naga's reflection of the linked module: the names, access and types of the bindings that the
 /// entry point uses must be exactly these. Workgroup sizes come from the reflection alone.
@@ -14,8 +14,6 @@ pub struct Pass {
     pub entry: &'static str,
     /// In the order of the WGSL, all in group 0.
     pub bindings: &'static [Binding],
-    /// What one invocation stands for.
-    pub shape: Shape,
 }
 
 /// One binding of a pass, by its name in the WGSL.
@@ -62,17 +60,4 @@ pub enum Access {
     /// `var<storage, read>`, filled from the call's own parameters. Not a uniform: lavapipe compiles a shader anew for
     /// each value of a uniform that one of its loops or branches depends on.
     Params,
-}
-
-/// What the invocations of a pass run over.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// One invocation an item, in one dimension.
-    Items,
-    /// One invocation a pixel, and a layer of workgroups a sample of the batch.
-    Pixels,
-    /// Workgroups, counted by whoever records.
-    Groups,
-    /// Workgroups, counted on the GPU.
-    Indirect,
 }

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, UVec2, Vec3};
 
-use super::{Binding, Pass, Recording, Shape, Size};
+use super::{Binding, Pass, Recording, Size};
 use crate::layout::film::largest_sample;
 use crate::layout::trace::{MaterialRecord, RadianceSample, TraceParams};
 
@@ -19,7 +19,6 @@ pub static PATH: Pass = Pass {
         Binding::write("radiance", "array<RadianceSample>"),
         Binding::read("shading", "array<Shading>").when("normals"),
     ],
-    shape: Shape::Pixels,
 };
 
 /// Where a camera is and looks. World space, scene units.

@@ -5,7 +5,7 @@ use lucerna::cpu::tree::Tree;
 use lucerna::gpu::Runtime;
 use lucerna::layout::ray::{ExtendParams, Hit, Ray};
 use lucerna::layout::tree::{Node, Triangle, root};
-use lucerna::passes::{Binding, Pass, Recording, Shape, Size, extend};
+use lucerna::passes::{Binding, Pass, Recording, Size, extend};
 use lucerna::shader::Library;
 
 /// `extend` without a tree: every leaf is tested, by the function that the walk uses.
@@ -47,7 +47,6 @@ static EXTEND_BRUTE: Pass = Pass {
     module: "passes/trace/extend_brute",
     entry: "extend_brute",
     bindings: extend::EXTEND.bindings,
-    shape: Shape::Items,
 };
 
 /// Word 0 becomes fma(1 + 2^-12, 1 + 2^-12, -1 - 2^-11), which is 2^-24 if rounded once, 0 if twice. It reads the
@@ -66,7 +65,6 @@ static PROBE_FMA: Pass = Pass {
     module: "passes/probe_fma",
     entry: "probe_fma",
     bindings: &[Binding::write("words", "array<f32>")],
-    shape: Shape::Items,
 };
 
 /// How the device of the tests rounds fma().
