@@ -7,7 +7,6 @@ use std::time::Duration;
 use bevy_ecs::prelude::*;
 
 use super::governor::Governor;
-use super::present::Watched;
 use super::report::{self, FilmImage, Report};
 use super::schedule;
 use super::state::{Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, PackedScene, Pending, Spent};
@@ -74,7 +73,6 @@ impl Engine {
         world.init_resource::<Frame>();
         world.init_resource::<Spent>();
         world.init_resource::<Governor>();
-        world.init_resource::<Watched>();
         // A film that was never reset is of size zero.
         world.resource_mut::<Dirty>().film = true;
         scene::apply(&mut world, description);
