@@ -31,7 +31,7 @@ pub struct Material {
 }
 
 impl Default for Material {
-    /// A grey Lambert surface, for meshes that name no material.
+    /// A grey Lambert surface: what meshes get that name no material, or one that no library has.
     fn default() -> Self {
         Self {
             kd: Vec3::splat(0.6),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3, Vec3};
+use glam::{DAffine3, DVec3};
 
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::file::{DEFAULT_CAMERA, MaterialEntry, ModelEntry, SceneFile, read_scene};
@@ -17,8 +17,8 @@ use crate::components::{Camera, Environment, Film, Material, MeshData, Render, T
 /// Bytes that a scene file may have.
 const SCENE_LIMIT: u64 = 4 << 20;
 
-/// The greatest coordinate in world space: its cube, which a determinant needs, is within f32.
-const FARTHEST: f64 = 1e12;
+/// The greatest coordinate of a model, and in world space: its cube, which a determinant needs, is within f32.
+pub const FARTHEST: f64 = 1e12;
 
 /// A whole scene as plain data, every name a stable key: equal files give equal descriptions.
 #[derive(Clone, Debug, PartialEq)]
@@ -257,9 +257,4 @@ fn default_camera(meshes: &BTreeMap<String, MeshEntry>, file: &SceneFile) -> BTr
     let distance = radius / half.atan().sin();
     let position = centre + DVec3::new(0.4, 0.3, 1.0).normalize() * distance;
     BTreeMap::from([(DEFAULT_CAMERA.to_owned(), Camera { position, look_at: centre, up: DVec3::Y, fov_y })])
-}
-
-/// What meshes get that name no material, or one that no library has.
-pub fn default_material() -> Material {
-    Material { kd: Vec3::splat(0.6), ..Material::default() }
 }

@@ -9,7 +9,6 @@ use super::values::{colour, scalar};
 use crate::components::{Material, TextureMaps};
 use crate::scene::diagnostic::{Diagnostic, Tally};
 use crate::scene::lines::{Line, words};
-use crate::scene::load::default_material;
 use crate::scene::suggest::did_you_mean;
 
 /// Greatest reflectance and emission: their products along a path stay far within f32.
@@ -163,7 +162,7 @@ impl Draft {
 
     /// The material these statements describe, with warnings of what can't be rendered as written.
     pub fn finish(self, tally: &mut Tally) -> (String, Material) {
-        let default = default_material();
+        let default = Material::default();
         let bare = self.kd.is_none() && self.ks.is_none() && self.ke.is_none() && self.le.is_none();
         if bare && self.maps == TextureMaps::default() {
             self.warn(

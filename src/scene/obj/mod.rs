@@ -18,7 +18,6 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
-use super::load::default_material;
 use super::mtl::read_mtl;
 use super::suggest::known_names;
 use super::text;
@@ -157,7 +156,7 @@ impl Libraries {
             model
                 .materials
                 .entry(key.to_owned())
-                .or_insert_with(|| found.map_or_else(default_material, |(_, m)| m.clone()));
+                .or_insert_with(|| found.map_or_else(Material::default, |(_, m)| m.clone()));
             let count = counts.entry(&group.object).or_insert(0);
             let name = format!("{}/{count}", group.object);
             *count += 1;

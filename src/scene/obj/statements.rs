@@ -2,9 +2,7 @@
 
 use crate::scene::diagnostic::Diagnostic;
 use crate::scene::lines::{Line, words};
-
-/// The greatest coordinate of a model: see the limit of world space.
-const FARTHEST: f64 = 1e12;
+use crate::scene::load::FARTHEST;
 
 /// Statements that OBJ files have, for suggestions.
 pub const KNOWN: &[&str] = &["v", "vt", "vn", "f", "o", "g", "s", "usemtl", "mtllib", "l", "p"];
