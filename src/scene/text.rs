@@ -43,7 +43,7 @@ impl Text {
     /// A message about `part`, a slice of this text.
     pub fn at(&self, severity: Severity, part: &str, message: impl Into<String>) -> Diagnostic {
         let offset = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize).min(self.text.len());
-        let before = &self.text[..floor_char_boundary(&self.text, offset)];
+        let before = &self.text[..self.text.floor_char_boundary(offset)];
         let start = before.rfind('\n').map_or(0, |at| at + 1);
         let line = before.matches('\n').count() as u32 + 1;
         let text = self.text[start..].lines().next().unwrap_or_default();
@@ -105,9 +105,4 @@ pub fn not_utf8(file: &Path, bytes: &[u8], valid: usize) -> Diagnostic {
         (format!("byte {:#04x} is not UTF-8 text", bytes[valid]), "is this a binary file? Save text as UTF-8")
     };
     Diagnostic::at(Severity::Error, file, line, &text, valid - start, message).help(help)
-}
-
-/// The greatest character boundary that is not beyond `offset`.
-fn floor_char_boundary(text: &str, offset: usize) -> usize {
-    (0..=offset).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
 }

@@ -60,8 +60,8 @@ pub struct Place {
 impl Place {
     pub(super) fn new(source: Arc<Source>, range: Range<usize>) -> Self {
         let text = &source.text;
-        let start = floor_boundary(text, range.start);
-        let end = floor_boundary(text, range.end).max(start);
+        let start = text.floor_char_boundary(range.start);
+        let end = text.floor_char_boundary(range.end).max(start);
         let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
         let line = text[..start].matches('\n').count() + 1;
         let column = text[line_start..start].chars().count() + 1;
@@ -72,11 +72,6 @@ impl Place {
     pub fn source_line(&self) -> &str {
         self.source.text.lines().nth(self.line - 1).unwrap_or("")
     }
-}
-
-/// The largest character boundary of the text that is at most `at`.
-fn floor_boundary(text: &str, at: usize) -> usize {
-    (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
 
 impl ShaderError {
