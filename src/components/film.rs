@@ -63,7 +63,7 @@ impl Default for Render {
 }
 
 /// The estimator.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
     /// Directions from the BSDF alone; light is found by hitting it.
     #[default]
@@ -71,7 +71,7 @@ pub enum Integrator {
 }
 
 /// What becomes of materials that reflect more than they receive.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Energy {
     /// Kd and Ks are divided by max(1, the largest channel of Kd + Ks).
     #[default]
