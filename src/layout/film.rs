@@ -43,8 +43,8 @@ gpu_struct! {
         pub rays_hi: AtomicWord,
         /// Bad samples; the first [`BAD_LOG`] of them are in `log`, in no order.
         pub bad: AtomicWord,
-        pub pad: u32,
-        pub log: [BadSample; 64],
+        /// Where they went wrong.
+        pub log: [BadSample; BAD_LOG as usize],
     }
 
     /// Parameters of the accumulate pass.
@@ -72,8 +72,6 @@ gpu_struct! {
         pub pixels: u32,
         /// 2^(exposure - the film's exponent), finite and above 0.
         pub scale: f32,
-        pub pad0: u32,
-        pub pad1: u32,
     }
 }
 

@@ -75,5 +75,5 @@ pub fn record_display(recording: &mut Recording, pixels: u32, exponent: i32, exp
 /// What the display pass is told.
 pub fn display_params(pixels: u32, exponent: i32, exposure: f32) -> DisplayParams {
     let scale = 2f64.powf(f64::from(exposure) - f64::from(exponent));
-    DisplayParams { pixels, scale: (scale as f32).clamp(f32::MIN_POSITIVE, f32::MAX), pad0: 0, pad1: 0 }
+    DisplayParams { pixels, scale: (scale as f32).clamp(f32::MIN_POSITIVE, f32::MAX) }
 }

@@ -13,9 +13,6 @@ pub type Corners = [Vec3; 3];
 /// University's, through the room's open front.
 pub const SPHERES_VIEW: (Vec3, Vec3, f32) = (Vec3::new(278.0, 273.0, -800.0), Vec3::new(278.0, 273.0, 0.0), 39.307_71);
 
-/// The same of [`terrain`].
-pub const TERRAIN_VIEW: (Vec3, Vec3, f32) = (Vec3::new(0.0, 220.0, 480.0), Vec3::ZERO, 50.0);
-
 /// Uniform numbers from a seed: Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014).
 pub struct SplitMix(pub u64);
 

@@ -57,12 +57,10 @@ pub struct PackedScene {
     pub exponent: i32,
     /// Shader features that the scene needs.
     pub features: BTreeSet<String>,
-    /// 2^exposure in stops.
+    /// Stops by which the picture is brightened.
     pub exposure: f32,
     /// Samples a pixel to reach.
     pub target: u32,
-    /// Paths may end by roulette.
-    pub roulette: bool,
 }
 
 /// Arrays on their way to the GPU.
