@@ -2,57 +2,24 @@
 
 use std::collections::BTreeSet;
 
+use lucerna::gpu::checked_entry;
 use lucerna::passes::table::TABLE;
-use lucerna::passes::{Access, Binding, Pass};
-use lucerna::shader::{BoundResource, Features, Library, Linked, ResourceKind};
-
-/// More conditions than this in one closure would want a list of the sets in use instead of all sets.
-const MOST_FEATURES: usize = 6;
-
-/// Every feature set that makes a difference to a pass.
-fn feature_sets(library: &Library, pass: &Pass) -> Vec<Features> {
-    let named: Vec<String> = match library.link(pass.module, &library.features().unwrap()) {
-        Ok(linked) => linked.features.into_iter().collect(),
-        Err(error) => panic!("{}: {}", pass.name, error.report()),
-    };
-    assert!(named.len() <= MOST_FEATURES, "{} has too many features to try: {named:?}", pass.name);
-    (0..1usize << named.len())
-        .map(|set| (0..named.len()).filter(|bit| set >> bit & 1 == 1).map(|bit| named[bit].clone()).collect())
-        .collect()
-}
-
-fn described(bound: &BoundResource) -> (String, Access, String) {
-    let access = match bound.kind {
-        ResourceKind::StorageRead if bound.name == "params" => Access::Params,
-        ResourceKind::StorageRead => Access::Read,
-        ResourceKind::StorageReadWrite => Access::Write,
-        ResourceKind::Uniform => panic!("`{}` is a uniform; parameters are storage, see Access::Params", bound.name),
-    };
-    (bound.name.clone(), access, bound.ty.clone())
-}
-
-fn check_row(pass: &Pass, linked: &Linked, features: &Features) {
-    let entry = linked.entry(pass.entry).unwrap_or_else(|| panic!("{} has no entry `{}`", pass.module, pass.entry));
-    let there = |binding: &&Binding| binding.feature.is_empty() || features.contains(binding.feature);
-    let mut row: Vec<_> =
-        pass.bindings.iter().filter(there).map(|b| (b.name.to_owned(), b.access, b.ty.to_owned())).collect();
-    let mut wgsl: Vec<_> = entry.bindings.iter().map(described).collect();
-    row.sort_by(|a, b| a.0.cmp(&b.0));
-    wgsl.sort_by(|a, b| a.0.cmp(&b.0));
-    assert_eq!(row, wgsl, "row (left) and WGSL (right) of {} differ under {features:?}", pass.name);
-    assert!(entry.bindings.iter().all(|bound| bound.group == 0), "{} has a group beside 0", pass.name);
-    assert!(entry.workgroup_size.iter().product::<u32>() <= 256, "{}: no portable workgroup size", pass.name);
-}
+use lucerna::shader::{Features, Library};
 
 #[test]
-fn every_entry_point_links_under_every_feature_set_in_use() {
+fn every_row_is_what_its_shader_uses_under_every_feature_set() {
     let library = Library::shipped();
     for pass in TABLE {
-        for features in feature_sets(&library, pass) {
-            match library.link(pass.module, &features) {
-                Ok(linked) => check_row(pass, &linked, &features),
+        let sets =
+            library.feature_sets(pass.module).unwrap_or_else(|error| panic!("{}: {}", pass.name, error.report()));
+        assert!(sets.len().is_power_of_two(), "{} has too many features to try every set", pass.name);
+        for features in sets {
+            let linked = match library.link(pass.module, &features) {
+                Ok(linked) => linked,
                 Err(error) => panic!("{} under {features:?}: {}", pass.name, error.report()),
-            }
+            };
+            let entry = checked_entry(pass, &linked, &features).unwrap_or_else(|error| panic!("{features:?}: {error}"));
+            assert!(entry.workgroup_size.iter().product::<u32>() <= 256, "{}: no portable workgroup size", pass.name);
         }
     }
 }

@@ -11,5 +11,6 @@ mod timing;
 pub use buffers::Buffers;
 pub use device::{AdapterSummary, Gpu, adapters};
 pub use error::GpuError;
+pub use pipelines::checked_entry;
 pub use runtime::Runtime;
 pub use timing::PassTiming;

@@ -83,13 +83,17 @@ impl Pipelines {
 }
 
 /// Whether a binding is the pass's parameters.
-pub(super) fn is_params(pass: &Pass, binding: &str) -> bool {
+fn is_params(pass: &Pass, binding: &str) -> bool {
     pass.bindings.iter().any(|row| row.name == binding && row.access == Access::Params)
 }
 
-/// Checks that a row names just what the shader uses. Everything is found by name, so only the sets must agree.
-pub fn check_row(pass: &Pass, entry: &EntryPoint, features: &Features) -> Result<(), GpuError> {
+/// The entry point that a row names, if the row says just what the shader uses. Everything is found by name, so only the
+/// sets must agree.
+pub fn checked_entry(pass: &Pass, linked: &Linked, features: &Features) -> Result<EntryPoint, GpuError> {
     let fail = |reason: String| Err(GpuError::Mismatch { pass: pass.name, reason });
+    let Some(entry) = linked.entry(pass.entry) else {
+        return fail(format!("`{}` has no entry point `{}`", pass.module, pass.entry));
+    };
     let expected = || pass.bindings.iter().filter(|b| b.feature.is_empty() || features.contains(b.feature));
     for row in expected() {
         let Some(found) = entry.bindings.iter().find(|b| b.name == row.name) else {
@@ -111,7 +115,7 @@ pub fn check_row(pass: &Pass, entry: &EntryPoint, features: &Features) -> Result
     }
     match entry.bindings.iter().find(|b| expected().all(|row| row.name != b.name)) {
         Some(extra) => fail(format!("`{}` uses `{}`, and the row does not name it", entry.name, extra.name)),
-        None => Ok(()),
+        None => Ok(entry),
     }
 }
 
@@ -122,11 +126,7 @@ fn compile(
     features: &Features,
     serial: u64,
 ) -> Result<Pipeline, GpuError> {
-    let entry = linked.entry(pass.entry).ok_or_else(|| GpuError::Mismatch {
-        pass: pass.name,
-        reason: format!("`{}` has no entry point `{}`", pass.module, pass.entry),
-    })?;
-    check_row(pass, &entry, features)?;
+    let entry = checked_entry(pass, &linked, features)?;
     let entries: Vec<_> = entry
         .bindings
         .iter()
@@ -135,7 +135,6 @@ fn compile(
             visibility: wgpu::ShaderStages::COMPUTE,
             ty: wgpu::BindingType::Buffer {
                 ty: match b.kind {
-                    ResourceKind::Uniform => wgpu::BufferBindingType::Uniform,
                     ResourceKind::StorageRead => wgpu::BufferBindingType::Storage { read_only: true },
                     ResourceKind::StorageReadWrite => wgpu::BufferBindingType::Storage { read_only: false },
                 },

@@ -18,6 +18,9 @@ use super::module::{self, Module};
 /// Every file of shaders/: (module, text).
 static EMBEDDED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 
+/// Features of a module up to which every set of them is listed.
+const MOST_NAMED: usize = 6;
+
 /// A set of modules that import each other.
 #[derive(Clone)]
 pub struct Library {
@@ -79,6 +82,18 @@ impl Library {
             named.extend(self.scan(module, &Features::new())?.features);
         }
         Ok(named)
+    }
+
+    /// Every set of features that makes a difference to a module. Where its closure's conditions name more than six, only
+    /// each by itself, none, and all.
+    pub fn feature_sets(&self, module: &str) -> Result<Vec<Features>, ShaderError> {
+        let named: Vec<String> = self.link(module, &self.features()?)?.features.into_iter().collect();
+        let chosen = |set: usize| (0..named.len()).filter(move |bit| set >> bit & 1 == 1).map(|bit| named[bit].clone());
+        if named.len() <= MOST_NAMED {
+            return Ok((0..1 << named.len()).map(|set| chosen(set).collect()).collect());
+        }
+        let singles = named.iter().map(|name| Features::from([name.clone()]));
+        Ok(singles.chain([Features::new(), named.iter().cloned().collect()]).collect())
     }
 
     /// The text of a module as it was read; None for one that is unknown or can't be read.
