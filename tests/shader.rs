@@ -41,7 +41,7 @@ import package::gen::{LinkParams, LinkItem};
 @group(0) @binding(1) var<storage, read_write> out: array<vec2<u32>>;
 @group(0) @binding(2) var<storage, read_write> items: array<LinkItem>;
 @group(0) @binding(3) var<storage, read> unused: array<u32>;
-@group(0) @binding(0) var<uniform> params: LinkParams;
+@group(0) @binding(0) var<storage, read> params: LinkParams;
 @compute @workgroup_size(64, 2)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     out[id.x] = vec2(double(id.x), params.count);
@@ -61,7 +61,7 @@ fn reflection_lists_what_an_entry_point_uses() {
     assert_eq!(
         bindings,
         [
-            ("params", 0, ResourceKind::Uniform, "LinkParams", 16),
+            ("params", 0, ResourceKind::StorageRead, "LinkParams", 16),
             ("out", 1, ResourceKind::StorageReadWrite, "array<vec2<u32>>", 8),
         ]
     );

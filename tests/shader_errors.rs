@@ -71,6 +71,7 @@ fn binding_errors() {
     let twice = format!("{first}{}{}", first.replace("a:", "b:"), main("let x = a[0] + b[0];"));
     check(&twice, (2, 23), "`main` uses another variable than `b` at @group(0) @binding(0)");
     check("@group(0) @binding(0) var a: texture_2d<f32>;\n", (1, 23), "passes have no other bindings");
+    check("@group(0) @binding(0) var<uniform> a: f32;\n", (1, 23), "passes have no other bindings");
 }
 
 #[test]

@@ -91,17 +91,15 @@ fn validation_error(error: &WithSpan<ValidationError>, module: &Module, text: &s
     map.error(kind, range, message::validation(error.as_inner(), module, text))
 }
 
-/// Passes have storage buffers and uniforms, nothing else.
+/// Passes have storage buffers, nothing else.
 fn check_bindings(module: &Module, map: &SourceMap) -> Result<(), ShaderError> {
     for (handle, variable) in module.global_variables.iter() {
-        let known = matches!(
-            variable.space,
-            AddressSpace::Private | AddressSpace::WorkGroup | AddressSpace::Uniform | AddressSpace::Storage { .. }
-        );
+        let known =
+            matches!(variable.space, AddressSpace::Private | AddressSpace::WorkGroup | AddressSpace::Storage { .. });
         if !known {
             let name = variable.name.as_deref().unwrap_or("_");
             let range = module.global_variables.get_span(handle).to_range().unwrap_or(0..0);
-            let message = format!("`{name}` is neither a storage buffer nor a uniform: passes have no other bindings");
+            let message = format!("`{name}` is not a storage buffer: passes have no other bindings");
             return Err(map.error(ErrorKind::Binding, range, message));
         }
     }

@@ -18,7 +18,7 @@ pub fn validation(error: &ValidationError, module: &Module, text: &str) -> Strin
             }
         }
         ValidationError::GlobalVariable { name, source: GlobalVariableError::InvalidBinding, .. } => {
-            format!("`{name}` wants @group and @binding, and only storage buffers and uniforms do")
+            format!("`{name}` wants @group and @binding, and only storage buffers do")
         }
         ValidationError::GlobalVariable { name, source, .. } => format!("`{name}`: {}", types(&chain(source), module)),
         ValidationError::Type { name, source, .. } if name.is_empty() => types(&chain(source), module),

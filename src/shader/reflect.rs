@@ -33,8 +33,6 @@ pub enum ResourceKind {
     StorageRead,
     /// `var<storage, read_write>`
     StorageReadWrite,
-    /// `var<uniform>`
-    Uniform,
 }
 
 impl Linked {
@@ -61,7 +59,6 @@ impl Linked {
 fn bound_resource(module: &Module, variable: &naga::GlobalVariable) -> Option<BoundResource> {
     let binding = variable.binding?;
     let kind = match variable.space {
-        AddressSpace::Uniform => ResourceKind::Uniform,
         AddressSpace::Storage { access } if access.contains(StorageAccess::STORE) => ResourceKind::StorageReadWrite,
         AddressSpace::Storage { .. } => ResourceKind::StorageRead,
         _ => return None,
