@@ -6,12 +6,9 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use glam::UVec2;
 
 use super::{Exit, Failure, bench};
-use crate::components::{Crop, Integrator};
+use crate::components::{Crop, Film, Integrator, Render};
 use crate::gpu::Gpu;
 use crate::systems::save::Output;
-
-/// Pixels a side, at most.
-const MAX_SIDE: u32 = 16_384;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -69,7 +66,7 @@ pub struct RenderArguments {
     #[arg(long, value_enum)]
     pub integrator: Option<IntegratorName>,
     /// Segments of the longest path: 1 sees emitters only, up to 1024
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Render::MAX_DEPTH)))]
     pub max_depth: Option<u32>,
     /// End paths of little throughput early (unbiased)
     #[arg(long, value_enum)]
@@ -119,7 +116,7 @@ pub enum BenchCommand {
         #[command(flatten)]
         how: BenchArguments,
     },
-    /// Ask for hits: primary and diffuse-bounce rays into generated spheres and terrain
+    /// Ask for hits: primary and diffuse-bounce rays into generated spheres
     Extend {
         /// Numbers of triangles
         #[arg(long, value_name = "N,..", value_delimiter = ',', value_parser = count, default_value = "100k,1M")]
@@ -132,7 +129,7 @@ pub enum BenchCommand {
 #[derive(Debug, Args)]
 pub struct BenchArguments {
     /// Timed runs after warm-up, at least 10
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(10..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(i64::from(bench::LEAST_RUNS)..=100_000))]
     pub runs: u32,
     /// Print one JSON object instead of a table
     #[arg(long)]
@@ -177,8 +174,8 @@ fn stops(text: &str) -> Result<f32, String> {
 fn size(text: &str) -> Result<UVec2, String> {
     let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some(UVec2::new(w.parse().ok()?, h.parse().ok()?)));
     match sides {
-        Some(size) if size.min_element() >= 1 && size.max_element() <= MAX_SIDE => Ok(size),
-        _ => Err(format!("expected WIDTHxHEIGHT, each from 1 to {MAX_SIDE}")),
+        Some(size) if size.min_element() >= 1 && size.max_element() <= Film::MAX_SIDE => Ok(size),
+        _ => Err(format!("expected WIDTHxHEIGHT, each from 1 to {}", Film::MAX_SIDE)),
     }
 }
 

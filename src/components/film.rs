@@ -6,7 +6,7 @@ use glam::UVec2;
 /// The picture's size, the part of it that is rendered, and how it is shown.
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
 pub struct Film {
-    /// Whole picture in pixels, each side 1 to 16,384.
+    /// Whole picture in pixels, each side 1 to [`Film::MAX_SIDE`].
     pub size: UVec2,
     /// The part that is rendered; `None` is all of it.
     pub crop: Option<Crop>,
@@ -15,6 +15,9 @@ pub struct Film {
 }
 
 impl Film {
+    /// Pixels a side, at most.
+    pub const MAX_SIDE: u32 = 16_384;
+
     /// The rendered rectangle, whole where there is no crop.
     pub fn window(&self) -> Crop {
         self.crop.unwrap_or(Crop { min: UVec2::ZERO, max: self.size })
@@ -45,7 +48,7 @@ impl Crop {
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
 pub struct Render {
     pub integrator: Integrator,
-    /// Path segments: 1 sees emitters only. 1 to 1,024.
+    /// Path segments: 1 sees emitters only. 1 to [`Render::MAX_DEPTH`].
     pub max_depth: u32,
     /// End paths of little throughput early, unbiased.
     pub roulette: bool,
@@ -54,6 +57,11 @@ pub struct Render {
     pub seed: u32,
     /// Samples a pixel after which the film is finished, at least 1.
     pub spp: u32,
+}
+
+impl Render {
+    /// Segments of the longest path, at most.
+    pub const MAX_DEPTH: u32 = 1024;
 }
 
 impl Default for Render {

@@ -234,9 +234,9 @@ fn read_camera(reader: &Reader, node: &Node, path: &str) -> Option<Camera> {
 fn read_film(reader: &Reader, node: &Node) -> Option<Film> {
     let default = Film::default();
     let fields = Fields::open(reader, node, "film")?;
-    let size = fields.read("size", |node| node.integers(1, MAX_SIDE)).map_or(default.size, UVec2::from_array);
+    let size = fields.read("size", |node| node.integers(1, Film::MAX_SIDE)).map_or(default.size, UVec2::from_array);
     let crop = fields.read("crop", |node| {
-        let [x0, x1, y0, y1] = node.integers(0, MAX_SIDE)?;
+        let [x0, x1, y0, y1] = node.integers(0, Film::MAX_SIDE)?;
         let crop = Crop { min: UVec2::new(x0, y0), max: UVec2::new(x1, y1) };
         if crop.min.cmplt(crop.max).all() && crop.max.cmple(size).all() {
             return Ok(crop);
@@ -248,9 +248,6 @@ fn read_film(reader: &Reader, node: &Node) -> Option<Film> {
     Some(Film { size, crop, exposure })
 }
 
-/// Pixels a side, at most.
-const MAX_SIDE: u32 = 16_384;
-
 /// `(integrator: Bsdf, max_depth: 16, roulette: true, energy: Preserve, seed: 0, spp: 64)`
 fn read_render(reader: &Reader, node: &Node) -> Option<Render> {
     let default = Render::default();
@@ -259,7 +256,7 @@ fn read_render(reader: &Reader, node: &Node) -> Option<Render> {
         integrator: fields
             .read("integrator", |node| node.one_of(&[("Bsdf", Integrator::Bsdf)]))
             .unwrap_or(default.integrator),
-        max_depth: fields.read("max_depth", |node| node.integer(1, 1024)).unwrap_or(default.max_depth),
+        max_depth: fields.read("max_depth", |node| node.integer(1, Render::MAX_DEPTH)).unwrap_or(default.max_depth),
         roulette: fields.read("roulette", Node::boolean).unwrap_or(default.roulette),
         energy: fields
             .read("energy", |node| node.one_of(&[("Preserve", Energy::Preserve), ("AsWritten", Energy::AsWritten)]))

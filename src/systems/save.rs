@@ -184,7 +184,7 @@ fn write_exr(picture: &Picture, out: &mut (impl Write + Seek)) -> std::io::Resul
     })
 }
 
-/// Pixel coordinates are at most 16,384.
+/// A pixel coordinate, which is at most [`Film::MAX_SIDE`](crate::components::Film::MAX_SIDE).
 fn signed(coordinate: u32) -> i32 {
     i32::try_from(coordinate).unwrap_or(i32::MAX)
 }
