@@ -60,11 +60,6 @@ struct Misused {
     help: String,
 }
 
-/// A benchmark that gave no figures.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-#[error(transparent)]
-struct Measured(BenchError);
-
 impl Failure {
     /// Of the command line: what is wrong, and what to do.
     pub fn usage(message: impl Into<String>, help: impl Into<String>) -> Self {
@@ -105,7 +100,7 @@ impl From<BenchError> for Failure {
     fn from(error: BenchError) -> Self {
         match error {
             BenchError::Gpu(error) => error.into(),
-            other => Self::of(Measured(other)),
+            other => Self::of(other),
         }
     }
 }

@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use super::{BenchError, BenchReport, Case, LEAST_RUNS, measure, measure_unstamped};
+use super::{BenchError, BenchReport, Case, measure, measure_unstamped, spheres};
 use crate::cpu::tree::{self, Tree};
 use crate::cpu::tree_check::{self, TreeMeasure};
 use crate::gpu::{Gpu, Runtime};
-use crate::layout::tree::{Triangle, node_count};
+use crate::layout::tree::node_count;
 use crate::passes::{Recording, build};
-use crate::scene::generate;
 use crate::shader::Library;
 
 /// Builds in one submission where timestamps are left out, so that the cost of submitting is small beside them.
@@ -17,9 +16,8 @@ const REPEATS: u32 = 8;
 /// Which spheres: any number will do.
 const SEED: u64 = 1;
 
-/// Builds over each number of triangles `runs` times (at least 10), and prints what that took.
+/// Builds over each number of triangles `runs` times, and prints what that took.
 pub fn run(gpu: Arc<Gpu>, triangles: &[u32], runs: u32, json: bool) -> Result<(), BenchError> {
-    let runs = runs.max(LEAST_RUNS);
     let mut cases = Vec::new();
     for &count in triangles {
         cases.push(case(&gpu, count, runs)?);
@@ -28,7 +26,7 @@ pub fn run(gpu: Arc<Gpu>, triangles: &[u32], runs: u32, json: bool) -> Result<()
 }
 
 fn case(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Case, BenchError> {
-    let triangles = spheres(count);
+    let triangles = spheres(count, SEED);
     let count = triangles.len() as u32;
     let mut rig = Runtime::new(gpu.clone(), Library::shipped());
     for (name, bytes) in build::buffers(count) {
@@ -54,9 +52,4 @@ fn case(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Case, BenchError> {
 
 fn judge(tree: &Tree) -> Result<TreeMeasure, BenchError> {
     tree_check::measure(&tree.leaves, &tree.nodes).map_err(|fault| BenchError::Wrong(fault.to_string()))
-}
-
-fn spheres(count: u32) -> Vec<Triangle> {
-    let corners = generate::spheres(count, SEED);
-    corners.iter().zip(0..).map(|(&[a, b, c], index)| Triangle { a, index, b, material: 0, c, flags: 0 }).collect()
 }

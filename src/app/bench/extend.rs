@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 
-use super::{BenchError, BenchReport, Case, LEAST_RUNS, measure};
+use super::{BenchError, BenchReport, Case, measure, spheres};
 use crate::cpu::intersect::{Fma, offset_ray_origin, surface_point, triangle_normal};
 use crate::cpu::traverse::closest_hit;
 use crate::cpu::tree::Tree;
@@ -12,7 +12,7 @@ use crate::gpu::{Gpu, Runtime};
 use crate::layout::ray::{Hit, NO_HIT, Ray, T_FAR};
 use crate::layout::tree::{Triangle, node_count};
 use crate::passes::{Recording, build, extend};
-use crate::scene::generate::{SPHERES_VIEW, SplitMix, spheres};
+use crate::scene::generate::{SPHERES_VIEW, SplitMix};
 use crate::shader::Library;
 
 /// Seed of the scene and of the bounces.
@@ -21,10 +21,9 @@ const SEED: u64 = 7;
 /// Rays that are compared with the twin's.
 const CHECKED: usize = 1000;
 
-/// Traces, in each number of triangles, primary rays and one diffuse bounce from each hit, `runs` times (at least 10),
+/// Traces, in each number of triangles, primary rays and one diffuse bounce from each hit, `runs` times,
 /// and prints how long that took.
 pub fn run(gpu: Arc<Gpu>, triangles: &[u32], runs: u32, json: bool) -> Result<(), BenchError> {
-    let runs = runs.max(LEAST_RUNS);
     let mut cases = Vec::new();
     for &count in triangles {
         cases.extend(scene(&gpu, count, runs)?);
@@ -37,10 +36,7 @@ fn scene(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Vec<Case>, BenchError>
     // As many rays as peers are measured with, and fewer where a processor does the work.
     let side = if gpu.is_software() { 256 } else { 2048 };
     let mut rig = Runtime::new(gpu.clone(), Library::shipped());
-    let triangles: Vec<Triangle> = (0..)
-        .zip(spheres(count, SEED))
-        .map(|(index, [a, b, c])| Triangle { a, b, c, index, ..Triangle::default() })
-        .collect();
+    let triangles = spheres(count, SEED);
     rig.upload("triangles", &triangles)?;
     for (name, bytes) in build::buffers(count).into_iter().chain(extend::buffers(side * side)) {
         rig.reserve(name, bytes)?;

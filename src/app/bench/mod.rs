@@ -11,7 +11,9 @@ use serde::Serialize;
 
 use super::output;
 use crate::gpu::{GpuError, Runtime};
+use crate::layout::tree::Triangle;
 use crate::passes::Recording;
+use crate::scene::generate;
 
 /// Runs before the first that counts: GPUs clock up only under load.
 const WARM_UP: u32 = 5;
@@ -20,9 +22,10 @@ const WARM_UP: u32 = 5;
 pub const LEAST_RUNS: u32 = 10;
 
 /// Why a benchmark gave no figures.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum BenchError {
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Gpu(#[from] GpuError),
     #[error("wrong result: {0}")]
     Wrong(String),
@@ -120,6 +123,12 @@ impl BenchReport {
         let cases = self.cases.iter().map(|case| format!("\n{}", case.table()));
         std::iter::once(head).chain(cases).collect()
     }
+}
+
+/// Generated spheres as the passes take triangles, of material 0.
+fn spheres(count: u32, seed: u64) -> Vec<Triangle> {
+    let corners = generate::spheres(count, seed);
+    corners.into_iter().zip(0..).map(|([a, b, c], index)| Triangle { a, b, c, index, ..Triangle::default() }).collect()
 }
 
 /// Plays `before` and then `timed`, again and again, and times the latter on the GPU: a row a pass in order of its first

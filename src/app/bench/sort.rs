@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{BenchError, BenchReport, Case, LEAST_RUNS, measure, measure_unstamped};
+use super::{BenchError, BenchReport, Case, measure, measure_unstamped};
 use crate::cpu::sort::random_key;
 use crate::gpu::{Gpu, Runtime};
 use crate::layout::sort::{SORT_DIGITS, SORT_IN_FRONT, SortPlan};
@@ -12,9 +12,8 @@ use crate::shader::Library;
 /// Sorts in one submission where timestamps are left out, so that the cost of submitting is small beside them.
 const REPEATS: u32 = 8;
 
-/// Sorts each number of pairs `runs` times (at least 10), and prints what that took.
+/// Sorts each number of pairs `runs` times, and prints what that took.
 pub fn run(gpu: Arc<Gpu>, n: &[u32], runs: u32, json: bool) -> Result<(), BenchError> {
-    let runs = runs.max(LEAST_RUNS);
     let mut cases = Vec::new();
     for &count in n {
         cases.push(case(&gpu, count, runs)?);
