@@ -1,4 +1,4 @@
-//! The command line, and the drivers of the schedule: headless now, a window later.
+//! The command line, and the headless driver of the schedule.
 //!
 //! Every error of the layers below ends here, is shown once, and becomes an exit code.
 

@@ -16,7 +16,8 @@ pub struct Material {
     pub ns: f32,
     /// Emitted radiance, each channel at least 0 (`Ke`, or `Le` in the Cornell box family of files).
     pub emission: Vec3,
-    /// Light leaves the front side only (counter-clockwise winding seen from there). Off by default: winding in OBJ files is unreliable.
+    /// Light leaves the front side only (counter-clockwise winding seen from there). Off by default: winding in OBJ files
+    /// is unreliable.
     pub one_sided: bool,
     /// Index of refraction, at least 1.
     pub ni: f32,

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::layout::tree::Triangle;
 
-/// Triangles below which a node is a leaf.
+/// Triangles up to which a node is a leaf.
 const LEAF_SIZE: usize = 4;
 
 /// Triangles and a median-split box tree over them.

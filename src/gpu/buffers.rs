@@ -20,7 +20,7 @@ struct Slot {
     generation: u64,
 }
 
-/// WGSL's runtime-sized arrays need room for at least one element; 64 bytes hold one of any of ours but `Node`s, which fit exactly.
+/// WGSL's runtime-sized arrays need room for at least one element: `Node` and `FilmPixel`, the largest, are of this size.
 const SMALLEST: u64 = 64;
 
 impl Buffers {

@@ -32,7 +32,7 @@ gpu_consts! {
 }
 
 gpu_struct! {
-    /// A triangle in world space, metres, relative to the scene's origin; corners finite, in the order of the file.
+    /// A triangle in world space, scene units, relative to the scene's origin; corners finite, in the order of the file.
     pub struct Triangle {
         /// First corner.
         pub a: Vec3,

@@ -1,4 +1,4 @@
-//! The engine: the only door for command line, window and tests.
+//! The engine: the only door for command line and tests.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

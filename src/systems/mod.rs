@@ -1,4 +1,4 @@
-//! One file a phase of the schedule, the same for window and headless.
+//! One file a phase of the schedule.
 //!
 //! `Extract -> Upload -> Build -> Trace -> Accumulate -> Present -> Submit`. Extract finds what changed by change
 //! detection, and compares values, so that an edit which changes nothing resets nothing. Each later phase does only what
