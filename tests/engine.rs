@@ -43,29 +43,24 @@ fn sums(engine: &mut Engine, step: Duration) -> Vec<lucerna::layout::film::FilmP
 
 #[test]
 fn a_film_does_not_depend_on_how_its_samples_were_cut() {
-    let description = small_box("8");
-    let whole = sums(&mut open(&description), Duration::from_secs(10));
-    assert!(whole.iter().any(|p| p.halves[0].sum[0].x != 0), "a black film proves nothing");
-    assert_eq!(sums(&mut open(&description), Duration::from_secs(10)), whole, "the same seed twice");
-    // A nanosecond is a row of one sample at a time, once the governor has learnt what a row takes.
-    assert_eq!(sums(&mut open(&description), Duration::from_nanos(1)), whole, "row by row");
-    let mut engine = open(&small_box("2"));
-    for spp in [2, 4, 6, 8] {
-        engine.edit(|world| {
-            for mut render in world.query::<&mut Render>().iter_mut(world) {
-                render.spp = spp;
-            }
-        });
-        finish(&mut engine, STEP);
+    for name in ["cornell-box", "teapot"] {
+        let of = |spp: &str, seed: &str| {
+            describe(name, &[("film.size", "(40,24)"), ("render.spp", spp), ("render.seed", seed)])
+        };
+        let description = of("8", "0");
+        let whole = sums(&mut open(&description), Duration::from_secs(10));
+        assert!(whole.iter().any(|p| p.halves[0].sum[0].x != 0), "a black film proves nothing");
+        assert_eq!(sums(&mut open(&description), Duration::from_secs(10)), whole, "{name}: the same seed twice");
+        // A nanosecond is a row of one sample at a time, once the governor has learnt what a row takes.
+        assert_eq!(sums(&mut open(&description), Duration::from_nanos(1)), whole, "{name}: row by row");
+        let mut engine = open(&of("2", "0"));
+        for spp in [2, 4, 6, 8] {
+            engine.edit(|world| change::<Render>(world, |render| render.spp = spp));
+            finish(&mut engine, STEP);
+        }
+        assert_eq!(engine.film().unwrap().pixels, whole, "{name}: four times two samples on one engine");
+        assert_ne!(sums(&mut open(&of("8", "1")), STEP), whole, "{name}: another seed");
     }
-    assert_eq!(engine.film().unwrap().pixels, whole, "four times two samples on one engine");
-    assert_ne!(sums(&mut open(&describe_seeded(1)), STEP), whole, "another seed");
-}
-
-fn describe_seeded(seed: u32) -> SceneDescription {
-    let mut description = small_box("8");
-    description.render.seed = seed;
-    description
 }
 
 #[test]
