@@ -122,7 +122,8 @@ impl Account<'_> {
             "rays": report.rays,
             "rays_per_second": self.rays_per_second(),
             "mean": film.mean,
-            "relative_error": film.relative_error,
+            // Null with one sample a pixel: from that no error can be told.
+            "relative_error": (film.spp > 1).then_some(film.relative_error),
             "bad_samples": report.bad_samples,
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
             "passes": passes,
@@ -153,7 +154,7 @@ impl Account<'_> {
         let (film, report) = (self.film, self.report);
         let size = film.window.size();
         let mut text = format!(
-            "{}: {}x{}, {} spp, {} triangles, {:.2} s ({:.2} Mrays/s), estimated relMSE {:.2e}\n",
+            "{}: {}x{}, {} spp, {} triangles, {:.2} s ({:.2} Mrays/s), {}\n",
             self.description.name,
             size.x,
             size.y,
@@ -161,7 +162,10 @@ impl Account<'_> {
             report.triangles,
             self.seconds.total,
             self.rays_per_second() * 1e-6,
-            film.relative_error,
+            match film.spp {
+                0 | 1 => "too few samples to tell the error".to_owned(),
+                _ => format!("estimated relMSE {:.2e}", film.relative_error),
+            },
         );
         if stats {
             text += &self.stats();

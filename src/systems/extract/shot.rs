@@ -45,13 +45,15 @@ pub fn extract_changed_shot(
     shot.fit_film(exponent);
     let needs = features(&scene.records, environment, scene.normals, render.roulette);
     let fewer = render.spp.max(1) < progress.samples + u32::from(progress.rows > 0);
-    if shot != scene.shot || exponent != scene.exponent || !needs.iter().eq(scene.features.iter()) || fewer {
+    // By their bits: a NaN differs from itself, and would start the film anew for ever.
+    let same = bytemuck::bytes_of(&shot) == bytemuck::bytes_of(&scene.shot);
+    if !same || exponent != scene.exponent || !needs.iter().eq(scene.features.iter()) || fewer {
         scene.features = needs.into_iter().map(str::to_owned).collect();
         scene.shot = shot;
         scene.exponent = exponent;
         dirty.film = true;
     }
-    if film.exposure != scene.exposure {
+    if film.exposure.to_bits() != scene.exposure.to_bits() {
         scene.exposure = film.exposure;
         dirty.picture = true;
     }
