@@ -1,4 +1,4 @@
-//! Lucerna: a GPU path tracer that can be changed while it runs.
+//! Lucerna: a GPU path tracer.
 //!
 //! The crate is a data-oriented engine. A scene is entities and [`components`]; [`systems`] turn what changed into
 //! recordings of compute [`passes`], and [`gpu`] plays them. ARCHITECTURE.md has the map and the way of one frame.
