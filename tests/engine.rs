@@ -47,19 +47,19 @@ fn a_film_does_not_depend_on_how_its_samples_were_cut() {
         let of = |spp: &str, seed: &str| {
             describe(name, &[("film.size", "(40,24)"), ("render.spp", spp), ("render.seed", seed)])
         };
-        let description = of("8", "0");
+        let description = of("64", "0");
         let whole = sums(&mut open(&description), Duration::from_secs(10));
         assert!(whole.iter().any(|p| p.halves[0].sum[0].x != 0), "a black film proves nothing");
         assert_eq!(sums(&mut open(&description), Duration::from_secs(10)), whole, "{name}: the same seed twice");
         // A nanosecond is a row of one sample at a time, once the governor has learnt what a row takes.
         assert_eq!(sums(&mut open(&description), Duration::from_nanos(1)), whole, "{name}: row by row");
-        let mut engine = open(&of("2", "0"));
-        for spp in [2, 4, 6, 8] {
+        let mut engine = open(&of("16", "0"));
+        for spp in [16, 32, 48, 64] {
             engine.edit(|world| change::<Render>(world, |render| render.spp = spp));
             finish(&mut engine, STEP);
         }
-        assert_eq!(engine.film().unwrap().pixels, whole, "{name}: four times two samples on one engine");
-        assert_ne!(sums(&mut open(&of("8", "1")), STEP), whole, "{name}: another seed");
+        assert_eq!(engine.film().unwrap().pixels, whole, "{name}: four times 16 samples on one engine");
+        assert_ne!(sums(&mut open(&of("64", "1")), STEP), whole, "{name}: another seed");
     }
 }
 
