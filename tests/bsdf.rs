@@ -35,7 +35,7 @@ const NO_CONSTS: &[GpuConst] = &[];
 
 const PROBE: &str = "
 import package::gen::{BsdfProbe, SampleKey};
-import package::lib::bsdf::mixture::{mixture_sample, mixture_value};
+import package::lib::bsdf::mixture::{Facing, mixture_evaluate, mixture_sample};
 import package::lib::math::{expm1_negative, log1p_negative, sin_cos_turns};
 import package::lib::rng::{sample_1d, sample_2d};
 
@@ -47,11 +47,9 @@ fn draw(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     let i = group.x * 64u + local;
     if (i >= params.count) { return; }
     let key = SampleKey(i, 0u, 0u, params.seed);
-    let drawn = mixture_sample(
-        params.material, params.wo, params.normal, params.normal, sample_1d(key, 0u), sample_2d(key, 1u));
-    let mirrored = 2.0 * dot(params.wo, params.normal) * params.normal - params.wo;
-    let cos_theta = max(0.0, dot(drawn.direction, params.normal));
-    let at = mixture_value(params.material, mirrored, drawn.direction, cos_theta);
+    let facing = Facing(params.wo, params.normal, params.normal, 0u);
+    let drawn = mixture_sample(params.material, facing, sample_1d(key, 0u), sample_2d(key, 1u));
+    let at = mixture_evaluate(params.material, facing, drawn.direction);
     probed[2u * i] = vec4<f32>(drawn.direction, drawn.weight.x);
     probed[2u * i + 1u] = vec4<f32>(at.value.xy, at.pdf, drawn.weight.y);
 }
@@ -61,10 +59,11 @@ fn draw(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
 fn albedo(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let i = group.x * 64u + local;
     if (i >= params.count) { return; }
+    let facing = Facing(params.wo, params.normal, params.normal, 0u);
     var sum = vec3<f32>(0.0);
     for (var j = 0u; j < params.count; j++) {
         let u = (vec2<f32>(vec2<u32>(i, j)) + 0.5) / f32(params.count);
-        sum += mixture_sample(params.material, params.wo, params.normal, params.normal, params.pick, u).weight;
+        sum += mixture_sample(params.material, facing, params.pick, u).weight;
     }
     probed[i] = vec4<f32>(sum / f32(params.count), 0.0);
 }

@@ -353,7 +353,7 @@ fn a_broken_bsdf_is_reported_at_its_material() {
     let text = std::fs::read_to_string("shaders/lib/bsdf/mixture.wgsl").unwrap();
     // A NaN that is no constant, since that would be refused.
     let nan = "vec3<f32>(bitcast<f32>(0x7fc00000u + m.flags)), true";
-    let broken = text.replace("m.kd, dot(wi, geometric) > 0.0", nan);
+    let broken = text.replace("m.kd, cos_theta > 0.0 && dot(wi, facing.geometric) > 0.0", nan);
     assert_ne!(text, broken);
     let mut rig = Runtime::new(support::gpu(), Library::shipped().with("lib/bsdf/mixture", &broken));
     room.load(&mut rig);

@@ -124,7 +124,9 @@ impl Room {
     }
 
     pub fn features(&self) -> Vec<&'static str> {
-        trace::features(&self.materials, self.environment, !self.shading.is_empty(), self.roulette)
+        let normals = !self.shading.is_empty();
+        let (materials, environment, roulette) = (&self.materials[..], self.environment, self.roulette);
+        trace::Needs { materials, environment, normals, roulette }.features()
     }
 
     /// Uploads the scene and its tree, and switches its features on.

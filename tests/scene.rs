@@ -136,7 +136,7 @@ const WRONG: &[(&str, u32, u32, &str)] = &[
     ("(film: 3)", 1, 8, "film: expected fields, as in (name: value), found `3`"),
     ("(\n  render: (spp: -1),\n)", 2, 17, "render.spp: expected a whole number"),
     ("(render: (spp: 1.5))", 1, 16, "render.spp"),
-    ("(render: (integrator: Path))", 1, 23, "expected Bsdf, found `Path`"),
+    ("(render: (integrator: Bdpt))", 1, 23, "expected Path or Bsdf, found `Bdpt`"),
     ("(render: (energy: preserve))", 1, 19, "expected Preserve or AsWritten"),
     ("(render: (roulette: 1))", 1, 21, "true or false"),
     ("(environment: Map(path: \"a.exr\"))", 1, 15, "not supported yet"),

@@ -6,7 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use glam::UVec2;
 
 use super::{Exit, Failure, bench};
-use crate::components::{Crop, Film, Integrator, Render};
+use crate::components::{Crop, Film, Integrator, Render, Sampler};
 use crate::gpu::Gpu;
 use crate::systems::save::Output;
 
@@ -65,6 +65,9 @@ pub struct RenderArguments {
     /// How light is estimated
     #[arg(long, value_enum)]
     pub integrator: Option<IntegratorName>,
+    /// Where the random numbers of a sample come from
+    #[arg(long, value_enum)]
+    pub sampler: Option<SamplerName>,
     /// Segments of the longest path: 1 sees emitters only, up to 1024
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Render::MAX_DEPTH)))]
     pub max_depth: Option<u32>,
@@ -139,6 +142,8 @@ pub struct BenchArguments {
 /// Integrators by their names on the command line.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum IntegratorName {
+    /// Lights are asked directly too, and both ways are weighted together
+    Path,
     /// Directions from the BSDF alone; light is found by hitting it
     Bsdf,
 }
@@ -146,7 +151,26 @@ pub enum IntegratorName {
 impl From<IntegratorName> for Integrator {
     fn from(name: IntegratorName) -> Self {
         match name {
+            IntegratorName::Path => Integrator::Path,
             IntegratorName::Bsdf => Integrator::Bsdf,
+        }
+    }
+}
+
+/// Samplers by their names on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum SamplerName {
+    /// Owen-scrambled Sobol points
+    Sobol,
+    /// Independent numbers
+    Pcg,
+}
+
+impl From<SamplerName> for Sampler {
+    fn from(name: SamplerName) -> Self {
+        match name {
+            SamplerName::Sobol => Sampler::Sobol,
+            SamplerName::Pcg => Sampler::Pcg,
         }
     }
 }

@@ -173,6 +173,7 @@ fn adjust(description: &mut SceneDescription, arguments: &RenderArguments) -> Re
     render.spp = arguments.spp.unwrap_or(unlimited);
     render.seed = arguments.seed.unwrap_or(render.seed);
     render.integrator = arguments.integrator.map_or(render.integrator, Into::into);
+    render.sampler = arguments.sampler.map_or(render.sampler, Into::into);
     render.max_depth = arguments.max_depth.unwrap_or(render.max_depth);
     render.roulette = arguments.roulette.map_or(render.roulette, |switch| switch == Switch::On);
     Ok(())

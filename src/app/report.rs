@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::arguments::RenderArguments;
-use crate::components::{Crop, Energy, Integrator};
+use crate::components::{Crop, Energy, Integrator, Sampler};
 use crate::layout::film::BadSample;
 use crate::scene::SceneDescription;
 use crate::systems::{FilmImage, Report};
@@ -51,6 +51,7 @@ impl Account<'_> {
             ("spp", self.film.spp.to_string()),
             ("seed", scene.render.seed.to_string()),
             ("integrator", integrator(scene.render.integrator).to_owned()),
+            ("sampler", sampler(scene.render.sampler).to_owned()),
             ("max_depth", scene.render.max_depth.to_string()),
             ("roulette", switch(scene.render.roulette).to_owned()),
             ("energy", energy(scene.render.energy).to_owned()),
@@ -74,6 +75,7 @@ impl Account<'_> {
         option("--camera", scene.active.clone());
         option("--seed", scene.render.seed.to_string());
         option("--integrator", integrator(scene.render.integrator).to_owned());
+        option("--sampler", sampler(scene.render.sampler).to_owned());
         option("--max-depth", scene.render.max_depth.to_string());
         option("--roulette", switch(scene.render.roulette).to_owned());
         option("--exposure", scene.film.exposure.to_string());
@@ -105,6 +107,7 @@ impl Account<'_> {
             "camera": scene.active,
             "seed": scene.render.seed,
             "integrator": integrator(scene.render.integrator),
+            "sampler": sampler(scene.render.sampler),
             "max_depth": scene.render.max_depth,
             "roulette": scene.render.roulette,
             "energy": energy(scene.render.energy),
@@ -207,7 +210,15 @@ fn crop(window: Crop) -> String {
 
 fn integrator(integrator: Integrator) -> &'static str {
     match integrator {
+        Integrator::Path => "path",
         Integrator::Bsdf => "bsdf",
+    }
+}
+
+fn sampler(sampler: Sampler) -> &'static str {
+    match sampler {
+        Sampler::Sobol => "sobol",
+        Sampler::Pcg => "pcg",
     }
 }
 

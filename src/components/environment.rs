@@ -1,11 +1,31 @@
 //! Light from beyond the scene.
 
+use std::sync::Arc;
+
 use bevy_ecs::prelude::*;
-use glam::Vec3;
+use glam::{UVec2, Vec3};
 
 /// Light that arrives where no surface is hit.
 #[derive(Component, Clone, Debug, PartialEq)]
 pub enum Environment {
     /// The same radiance from everywhere, linear Rec.709, each channel at least 0.
     Constant(Vec3),
+    /// Radiance by direction.
+    Map {
+        image: Arc<EnvironmentMap>,
+        /// What the image's radiance is multiplied by, at least 0.
+        strength: f32,
+    },
+}
+
+/// A picture of the whole sphere of directions, by longitude and latitude: constant over each pixel.
+///
+/// The middle of the picture is towards -z, its right half towards +x, its top row towards +y. So a direction d is in
+/// column width * (0.5 + atan2(d.x, -d.z) / (2 pi)), row height * acos(d.y) / pi.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnvironmentMap {
+    /// Pixels, each side at least 1.
+    pub size: UVec2,
+    /// Row by row from the top; linear Rec.709, finite, each channel at least 0.
+    pub pixels: Vec<Vec3>,
 }

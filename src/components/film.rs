@@ -48,6 +48,7 @@ impl Crop {
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
 pub struct Render {
     pub integrator: Integrator,
+    pub sampler: Sampler,
     /// Path segments: 1 sees emitters only. 1 to [`Render::MAX_DEPTH`].
     pub max_depth: u32,
     /// End paths of little throughput early, unbiased.
@@ -66,7 +67,15 @@ impl Render {
 
 impl Default for Render {
     fn default() -> Self {
-        Self { integrator: Integrator::Bsdf, max_depth: 16, roulette: true, energy: Energy::Preserve, seed: 0, spp: 64 }
+        Self {
+            integrator: Integrator::default(),
+            sampler: Sampler::default(),
+            max_depth: 16,
+            roulette: true,
+            energy: Energy::Preserve,
+            seed: 0,
+            spp: 64,
+        }
     }
 }
 
@@ -76,6 +85,18 @@ pub enum Integrator {
     /// Directions from the BSDF alone; light is found by hitting it.
     #[default]
     Bsdf,
+    /// The same, and at every surface a light is asked directly; both ways are weighted together.
+    Path,
+}
+
+/// Where the random numbers of a sample come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sampler {
+    /// Owen-scrambled Sobol points: the samples of a pixel are spread evenly over what they are drawn for.
+    Sobol,
+    /// Independent numbers by a hash: the reference.
+    #[default]
+    Pcg,
 }
 
 /// What becomes of materials that reflect more than they receive.

@@ -14,6 +14,10 @@ pub struct Material {
     pub ks: Vec3,
     /// Exponent of the Phong lobe, 0 to 1e5.
     pub ns: f32,
+    /// `Pr`, 0 to 1: the specular lobe is GGX of alpha = roughness^2. Without it, it is the Phong lobe of `ns`.
+    pub roughness: Option<f32>,
+    /// `Pm`, 0 to 1: this part of `kd` is reflected by the specular lobe instead of diffusely.
+    pub metallic: f32,
     /// Emitted radiance, each channel at least 0 (`Ke`, or `Le` in the Cornell box family of files).
     pub emission: Vec3,
     /// Light leaves the front side only (counter-clockwise winding seen from there). Off by default: winding in OBJ files
@@ -38,6 +42,8 @@ impl Default for Material {
             kd: Vec3::splat(0.6),
             ks: Vec3::ZERO,
             ns: 1.0,
+            roughness: None,
+            metallic: 0.0,
             emission: Vec3::ZERO,
             one_sided: false,
             ni: 1.0,

@@ -19,7 +19,7 @@ mod mesh;
 
 pub use bevy_ecs::name::Name;
 pub use camera::{Active, Camera};
-pub use environment::Environment;
-pub use film::{Crop, Energy, Film, Integrator, Render};
+pub use environment::{Environment, EnvironmentMap};
+pub use film::{Crop, Energy, Film, Integrator, Render, Sampler};
 pub use material::{Material, TextureMaps};
 pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};

@@ -42,16 +42,31 @@ pub fn record(recording: &mut Recording, params: &TraceParams) {
     recording.run(&PATH, size).params(params);
 }
 
-/// The features that a scene needs, sorted; what it lacks is not compiled.
-pub fn features(materials: &[MaterialRecord], environment: Vec3, normals: bool, roulette: bool) -> Vec<&'static str> {
-    let wanted = [
-        ("emitters", materials.iter().any(|m| m.emission.max_element() > 0.0)),
-        ("environment", environment.max_element() > 0.0),
-        ("glossy", materials.iter().any(|m| m.glossy > 0.0)),
-        ("normals", normals),
-        ("roulette", roulette),
-    ];
-    wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
+/// What a scene and its settings ask of the kernel.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Needs<'a> {
+    pub materials: &'a [MaterialRecord],
+    /// Radiance from everywhere.
+    pub environment: Vec3,
+    /// Some mesh has normals of its own.
+    pub normals: bool,
+    /// Russian roulette.
+    pub roulette: bool,
+}
+
+impl Needs<'_> {
+    /// The features to compile, sorted; what a scene lacks is not compiled.
+    pub fn features(&self) -> Vec<&'static str> {
+        let any = |test: fn(&MaterialRecord) -> bool| self.materials.iter().any(test);
+        let wanted = [
+            ("emitters", any(|m| m.emission.max_element() > 0.0)),
+            ("environment", self.environment.max_element() > 0.0),
+            ("glossy", any(|m| m.glossy > 0.0)),
+            ("normals", self.normals),
+            ("roulette", self.roulette),
+        ];
+        wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
+    }
 }
 
 /// The largest radiance that any material or the environment sends out; what the film's exponent is chosen from.

@@ -7,7 +7,7 @@ use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 use super::diagnostic::{Diagnostic, Severity};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::suggest::known_names;
-use crate::components::{Camera, Crop, Energy, Environment, Film, Integrator, Material, Render};
+use crate::components::{Camera, Crop, Energy, Environment, Film, Integrator, Material, Render, Sampler};
 
 /// The camera of scenes that have none.
 pub const DEFAULT_CAMERA: &str = "default";
@@ -248,14 +248,17 @@ fn read_film(reader: &Reader, node: &Node) -> Option<Film> {
     Some(Film { size, crop, exposure })
 }
 
-/// `(integrator: Bsdf, max_depth: 16, roulette: true, energy: Preserve, seed: 0, spp: 64)`
+/// `(integrator: Path, sampler: Sobol, max_depth: 16, roulette: true, energy: Preserve, seed: 0, spp: 64)`
 fn read_render(reader: &Reader, node: &Node) -> Option<Render> {
     let default = Render::default();
     let fields = Fields::open(reader, node, "render")?;
     let render = Render {
         integrator: fields
-            .read("integrator", |node| node.one_of(&[("Bsdf", Integrator::Bsdf)]))
+            .read("integrator", |node| node.one_of(&[("Path", Integrator::Path), ("Bsdf", Integrator::Bsdf)]))
             .unwrap_or(default.integrator),
+        sampler: fields
+            .read("sampler", |node| node.one_of(&[("Sobol", Sampler::Sobol), ("Pcg", Sampler::Pcg)]))
+            .unwrap_or(default.sampler),
         max_depth: fields.read("max_depth", |node| node.integer(1, Render::MAX_DEPTH)).unwrap_or(default.max_depth),
         roulette: fields.read("roulette", Node::boolean).unwrap_or(default.roulette),
         energy: fields

@@ -7,7 +7,7 @@ import package::gen::{Hit, Ray, Triangle, NO_HIT, T_FAR};
 import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
 @if(roulette) import package::gen::{ROULETTE_BOUNCE};
 @if(normals) import package::gen::{Shading};
-import package::lib::bsdf::mixture::{mixture_sample};
+import package::lib::bsdf::mixture::{Facing, mixture_sample};
 import package::lib::camera::{camera_direction};
 import package::lib::fault::{fault_of};
 import package::lib::intersect::{offset_ray_origin, surface_point, triangle_normal};
@@ -31,12 +31,6 @@ const SLOT_ROULETTE: u32 = 2u;
 
 const LARGEST_F32: f32 = 0x1.fffffep+127;
 
-// The normals at a hit, unit length, on the side of the viewer.
-struct Normals {
-    geometric: vec3<f32>,
-    shading: vec3<f32>,
-}
-
 fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
     return ((*state).bounce + 1u) * DIMENSIONS_PER_BOUNCE + slot;
 }
@@ -59,19 +53,18 @@ fn gather(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> b
     return check(state, (*state).radiance, params.largest, material);
 }
 
-// `raw` is the triangle's normal by its winding, of any length.
-fn normals_at(triangle: Triangle, hit: Hit, raw: vec3<f32>, wo: vec3<f32>) -> Normals {
-    let size = largest_of(abs(raw));
-    let unit = normalize(raw / size);
-    let geometric = select(unit, -unit, dot(unit, wo) < 0.0);
+// How the surface at a hit is seen. `raw` is the triangle's normal by its winding, of any length.
+fn facing_at(triangle: Triangle, hit: Hit, raw: vec3<f32>, wo: vec3<f32>) -> Facing {
+    let unit = normalize(raw / largest_of(abs(raw)));
+    let from_behind = dot(unit, wo) < 0.0;
+    let geometric = select(unit, -unit, from_behind);
+    var shading_normal = geometric;
     @if(normals) {
         let smooth_normal = interpolate_normal(shading[triangle.index], hit.b1, hit.b2, geometric);
         // A smooth normal that the viewer is behind of has no mirror direction above the surface.
-        return Normals(geometric, select(geometric, smooth_normal, dot(smooth_normal, wo) > 0.0));
+        shading_normal = select(geometric, smooth_normal, dot(smooth_normal, wo) > 0.0);
     }
-    @if(!normals) {
-        return Normals(geometric, geometric);
-    }
+    return Facing(wo, shading_normal, geometric, u32(from_behind));
 }
 
 // `pixel` in the whole film, `sample` a film sample: even ones belong to half 0, odd ones to half 1.
@@ -107,13 +100,10 @@ fn scatter(
     material: MaterialRecord,
     raw: vec3<f32>,
 ) -> bool {
-    let wo = -(*state).direction;
-    let normals = normals_at(triangle, hit, raw, wo);
+    let facing = facing_at(triangle, hit, raw, -(*state).direction);
     let drawn = mixture_sample(
         material,
-        wo,
-        normals.shading,
-        normals.geometric,
+        facing,
         sample_1d((*state).key, dimension(state, SLOT_LOBE)),
         sample_2d((*state).key, dimension(state, SLOT_DIRECTION)),
     );
@@ -125,7 +115,7 @@ fn scatter(
     }
     if (alive) {
         let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
-        (*state).origin = offset_ray_origin(at.position, at.error, normals.geometric, drawn.direction);
+        (*state).origin = offset_ray_origin(at.position, at.error, facing.geometric, drawn.direction);
         (*state).direction = drawn.direction;
         (*state).cone_width += (*state).cone_spread * hit.t;
         (*state).bounce += 1u;

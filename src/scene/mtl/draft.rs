@@ -183,6 +183,8 @@ impl Draft {
             kd: self.kd.unwrap_or(missing_kd),
             ks: self.ks.unwrap_or(Vec3::ZERO),
             ns: self.ns.unwrap_or(default.ns),
+            roughness: default.roughness,
+            metallic: default.metallic,
             emission: self.emission(tally),
             one_sided: false,
             ni: self.ni.unwrap_or(default.ni),

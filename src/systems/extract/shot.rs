@@ -7,7 +7,7 @@ use crate::components::{Active, Camera, Environment, Film, Name, Render};
 use crate::layout::film::film_exponent;
 use crate::layout::trace::TraceParams;
 use crate::layout::tree::root;
-use crate::passes::trace::{View, features, largest_emission};
+use crate::passes::trace::{Needs, View, largest_emission};
 use crate::systems::EngineError;
 use crate::systems::state::{Dirty, FilmProgress, PackedScene};
 
@@ -25,7 +25,7 @@ pub fn extract_changed_shot(
     let (.., camera, _) = cameras.iter().min_by_key(by_name).ok_or(EngineError::NoCamera)?;
     let environment = match environments.iter().min_by_key(|e| e.0.as_str()) {
         Some((_, Environment::Constant(radiance))) => *radiance,
-        None => Vec3::ZERO,
+        Some((_, Environment::Map { .. })) | None => Vec3::ZERO,
     };
     let window = film.window();
     if window.min.cmpge(window.max).any() || window.max.cmpgt(film.size).any() {
@@ -43,7 +43,8 @@ pub fn extract_changed_shot(
     shot.aim(&view, film.size, scene.origin);
     shot.crop(window.min, window.max);
     shot.fit_film(exponent);
-    let needs = features(&scene.records, environment, scene.normals, render.roulette);
+    let needs =
+        Needs { materials: &scene.records, environment, normals: scene.normals, roulette: render.roulette }.features();
     let fewer = render.spp.max(1) < progress.samples + u32::from(progress.rows > 0);
     // By their bits: a NaN differs from itself, and would start the film anew for ever.
     let same = bytemuck::bytes_of(&shot) == bytemuck::bytes_of(&scene.shot);
