@@ -5,10 +5,11 @@ use lucerna::cpu::path::PathScene;
 use lucerna::cpu::tree;
 use lucerna::gpu::Runtime;
 use lucerna::layout::film::film_exponent;
+use lucerna::layout::light::LightTable;
 use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, Shading, TraceParams};
 use lucerna::layout::tree::{Triangle, root};
 use lucerna::passes::Recording;
-use lucerna::passes::trace::{self, View};
+use lucerna::passes::trace::{self, Lighting, View};
 
 /// A scene as the trace kernel gets it.
 #[derive(Default)]
@@ -19,6 +20,8 @@ pub struct Room {
     pub shading: Vec<Shading>,
     pub environment: Vec3,
     pub roulette: bool,
+    /// Integrator `Path`: lights are asked directly.
+    pub next_event: bool,
 }
 
 /// A diffuse material that may emit.
@@ -108,6 +111,13 @@ impl Room {
             layers: 1,
             max_depth: 8,
             root: root(self.triangles.len() as u32),
+            triangles: self.triangles.len() as u32,
+            extent: self
+                .triangles
+                .iter()
+                .flat_map(|t| [t.a, t.b, t.c])
+                .map(|p| p.abs().max_element())
+                .fold(0.0, f32::max),
             seed: 1,
             ..TraceParams::default()
         };
@@ -115,7 +125,19 @@ impl Room {
         params.aim(&view, size, DVec3::ZERO);
         params.crop(UVec2::ZERO, size);
         params.fit_film(self.exponent());
+        let table = self.lights();
+        let lighting =
+            Lighting { lights: table.lights.len() as u32, light_density: table.density, ..Lighting::default() };
+        params.light(&lighting, 1.0);
         params
+    }
+
+    /// The lights that are asked directly.
+    pub fn lights(&self) -> LightTable {
+        match self.next_event {
+            true => LightTable::new(self.triangles.iter().copied(), &self.materials),
+            false => LightTable::default(),
+        }
     }
 
     /// Exponent of a film for this scene.
@@ -126,12 +148,18 @@ impl Room {
     pub fn features(&self) -> Vec<&'static str> {
         let normals = !self.shading.is_empty();
         let (materials, environment, roulette) = (&self.materials[..], self.environment, self.roulette);
-        trace::Needs { materials, environment, normals, roulette }.features()
+        let lights = !self.lights().lights.is_empty();
+        let tree = trace::needs_tree(self.triangles.len() as u32);
+        trace::Needs { materials, environment, normals, roulette, lights, tree, ..Default::default() }.features()
     }
 
     /// Uploads the scene and its tree, and switches its features on.
     pub fn load(&self, rig: &mut Runtime) {
         let tree = tree::build(&self.triangles);
+        rig.upload("triangles", &self.triangles).unwrap();
+        if self.next_event {
+            rig.upload("lights", &self.lights().lights).unwrap();
+        }
         rig.upload("leaves", &tree.leaves).unwrap();
         rig.upload("nodes", &tree.nodes).unwrap();
         rig.upload("materials", &self.materials).unwrap();

@@ -1,4 +1,8 @@
-// Linear Rec.709 to sRGB.
+// Linear Rec.709: luminance, and sRGB of it.
+
+fn luminance(rgb: vec3<f32>) -> f32 {
+    return dot(rgb, vec3<f32>(0.2126, 0.7152, 0.0722));
+}
 
 // One channel, linear to encoded; both 0 to 1 (IEC 61966-2-1).
 fn srgb_encode(linear: f32) -> f32 {

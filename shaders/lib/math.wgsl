@@ -39,6 +39,21 @@ fn sin_cos_turns(u: f32) -> vec2<f32> {
     return swapped * vec2<f32>(select(1.0, -1.0, q >= 2u), select(1.0, -1.0, q == 1u || q == 2u));
 }
 
+// The angle of (x, y) from the x axis in turns, -1/2 to 1/2, to about 1e-8 of a turn; 0 for (0, 0).
+fn turns_of(x: f32, y: f32) -> f32 {
+    let a = abs(vec2<f32>(x, y));
+    let ratio = min(a.x, a.y) / max(max(a.x, a.y), 1e-37);
+    // atan(r) = 1/8 turn + atan((r - 1) / (r + 1)), so that the series is asked for |z| below tan(pi / 8) only.
+    let reduced = ratio > 0.41421357;
+    let z = select(ratio, (ratio - 1.0) / (ratio + 1.0), reduced);
+    let s = z * z;
+    let series = 1.0 + s * (-1.0 / 3.0 + s * (0.2 + s * (-1.0 / 7.0 + s * (1.0 / 9.0 + s * (-1.0 / 11.0 + s * (1.0 / 13.0 - s / 15.0))))));
+    let octant = select(0.0, 0.125, reduced) + z * series * (0.5 * INV_PI);
+    let quarter = select(octant, 0.25 - octant, a.y > a.x);
+    let half = select(quarter, 0.5 - quarter, x < 0.0);
+    return select(half, -half, y < 0.0);
+}
+
 // cos(alpha)^n for the angle between unit vectors, 0 from 90 degrees on. For n up to 1e5 the cosine itself has lost
 // what matters; the distance of the two points has not.
 fn cos_power(a: vec3<f32>, b: vec3<f32>, n: f32) -> f32 {

@@ -7,7 +7,8 @@ use super::bsdf::Reflection;
 use super::rng::{sample_1d, sample_2d, sample_key};
 use super::triangles::{HitF64, TriangleSet};
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SampleKey, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_DIRECTION, SLOT_LOBE,
+    SLOT_ROULETTE, SampleKey, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -65,7 +66,7 @@ impl<'a> PathScene<'a> {
             throughput *= weight;
             if self.roulette && bounce >= ROULETTE_BOUNCE {
                 let survival = throughput.max_element().min(1.0);
-                if sample_1d(key, (bounce + 1) * DIMENSIONS_PER_BOUNCE + 2) >= survival {
+                if sample_1d(key, (bounce + 1) * DIMENSIONS_PER_BOUNCE + SLOT_ROULETTE) >= survival {
                     break;
                 }
                 throughput /= survival;
@@ -100,7 +101,12 @@ fn scatter(
 ) -> Option<(DVec3, DVec3)> {
     let first = (bounce + 1) * DIMENSIONS_PER_BOUNCE;
     let reflection = Reflection::from(material);
-    let wi = reflection.sample(surface.shading, wo, sample_1d(key, first), sample_2d(key, first + 1));
+    let wi = reflection.sample(
+        surface.shading,
+        wo,
+        sample_1d(key, first + SLOT_LOBE),
+        sample_2d(key, first + SLOT_DIRECTION),
+    );
     if wi.dot(surface.shading) <= 0.0 || wi.dot(surface.geometric) <= 0.0 {
         return None;
     }

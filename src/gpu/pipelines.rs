@@ -94,7 +94,7 @@ pub fn checked_entry(pass: &Pass, linked: &Linked, features: &Features) -> Resul
     let Some(entry) = linked.entry(pass.entry) else {
         return fail(format!("`{}` has no entry point `{}`", pass.module, pass.entry));
     };
-    let expected = || pass.bindings.iter().filter(|b| b.feature.is_empty() || features.contains(b.feature));
+    let expected = || pass.bindings.iter().filter(|b| b.is_there(|feature| features.contains(feature)));
     for row in expected() {
         let Some(found) = entry.bindings.iter().find(|b| b.name == row.name) else {
             return fail(format!("the row names `{}`, and `{}` does not use it", row.name, entry.name));

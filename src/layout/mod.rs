@@ -5,9 +5,12 @@
 
 #[macro_use]
 mod macros;
+pub mod alias;
 pub mod clear;
 pub mod film;
+pub mod light;
 pub mod ray;
+pub mod sky;
 pub mod sort;
 pub mod trace;
 pub mod tree;
@@ -26,6 +29,8 @@ pub static ALL: &[&StructLayout] = &[
     &ray::Ray::LAYOUT,
     &ray::Hit::LAYOUT,
     &ray::ExtendParams::LAYOUT,
+    &alias::AliasColumn::LAYOUT,
+    &light::LightRecord::LAYOUT,
     &trace::MaterialRecord::LAYOUT,
     &trace::Shading::LAYOUT,
     &trace::SampleKey::LAYOUT,

@@ -61,8 +61,9 @@ gpu_struct! {
         pub faulty: u32,
         /// The material it went wrong at, or [`NO_MATERIAL`].
         pub fault_material: u32,
-        pub pad0: u32,
-        pub pad1: u32,
+        /// Density by solid angle with which the direction was drawn; 0 where it could have been no other.
+        pub pdf: f32,
+        pub pad: u32,
     }
 
     /// Parameters of the trace kernel.
@@ -99,6 +100,21 @@ gpu_struct! {
         pub cone_spread: f32,
         /// Radiance above this does not fit the film.
         pub largest: f32,
+        /// Number of triangles.
+        pub triangles: u32,
+        /// The greatest coordinate of the scene's box.
+        pub extent: f32,
+        /// Number of emitting triangles.
+        pub lights: u32,
+        /// Probability of asking one of them, and not the sky.
+        pub light_share: f32,
+        /// Density by area with which a point of a light of unit luminance and one side is drawn.
+        pub light_density: f32,
+        /// Density by solid angle with which a direction of unit luminance is drawn from the sky.
+        pub sky_density: f32,
+        /// Pixels of the sky.
+        pub sky_width: u32,
+        pub sky_height: u32,
     }
 
     /// One sample of one pixel, as the trace kernel leaves it for the film.
@@ -126,7 +142,19 @@ gpu_consts! {
     /// A sample was too large for the film's fixed point.
     pub const BAD_OVERFLOW: u32 = 4;
     /// Random dimensions of a bounce.
-    pub const DIMENSIONS_PER_BOUNCE: u32 = 4;
+    pub const DIMENSIONS_PER_BOUNCE: u32 = 8;
+    /// Where in the pixel, two numbers; of the dimensions before the first bounce.
+    pub const SLOT_FILM: u32 = 0;
+    /// Which light is asked.
+    pub const SLOT_LIGHT: u32 = 0;
+    /// Which point of it, two numbers.
+    pub const SLOT_LIGHT_POINT: u32 = 1;
+    /// Which lobe of the BSDF.
+    pub const SLOT_LOBE: u32 = 2;
+    /// Which direction of it, two numbers.
+    pub const SLOT_DIRECTION: u32 = 3;
+    /// Whether the path goes on.
+    pub const SLOT_ROULETTE: u32 = 4;
     /// First bounce after which Russian roulette may end a path: paths of 4 segments are never cut.
     pub const ROULETTE_BOUNCE: u32 = 3;
 }

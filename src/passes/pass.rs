@@ -23,30 +23,35 @@ pub struct Binding {
     pub access: Access,
     /// WGSL type, as naga prints it: `array<vec2<u32>>`.
     pub ty: &'static str,
-    /// The feature without which the binding is not in the module; empty: always there.
-    pub feature: &'static str,
+    /// The binding is in the module where any of these features is on; none: always.
+    pub features: &'static [&'static str],
 }
 
 impl Binding {
     /// A storage buffer that is only read.
     pub const fn read(name: &'static str, ty: &'static str) -> Self {
-        Self { name, access: Access::Read, ty, feature: "" }
+        Self { name, access: Access::Read, ty, features: &[] }
     }
 
     /// A storage buffer that is read and written.
     pub const fn write(name: &'static str, ty: &'static str) -> Self {
-        Self { name, access: Access::Write, ty, feature: "" }
+        Self { name, access: Access::Write, ty, features: &[] }
     }
 
     /// The pass's parameters: `var<storage, read> params`.
     pub const fn params(ty: &'static str) -> Self {
-        Self { name: "params", access: Access::Params, ty, feature: "" }
+        Self { name: "params", access: Access::Params, ty, features: &[] }
     }
 
-    /// Only there where `feature` is in use.
-    pub const fn when(mut self, feature: &'static str) -> Self {
-        self.feature = feature;
+    /// Only there where one of these features is in use.
+    pub const fn when(mut self, features: &'static [&'static str]) -> Self {
+        self.features = features;
         self
+    }
+
+    /// Whether it is in a module that is linked with some features.
+    pub fn is_there(&self, on: impl Fn(&str) -> bool) -> bool {
+        self.features.is_empty() || self.features.iter().any(|feature| on(feature))
     }
 }
 

@@ -14,7 +14,7 @@ use crate::layout::sort::{SORT_BINS, SORT_DIGITS, SORT_FEW_TILES, SortDigit, Sor
 const KEYS: &str = "array<vec2<u32>>";
 const WORDS: &str = "array<u32>";
 /// Tests count the workgroups that ran, by digit and stage.
-const CENSUS: Binding = Binding::write("sort_census", "array<atomic<u32>>").when("sort_census");
+const CENSUS: Binding = Binding::write("sort_census", "array<atomic<u32>>").when(&["sort_census"]);
 
 /// Finds the bits in which the keys of each tile agree.
 pub static SORT_AGREE: Pass = Pass {

@@ -6,18 +6,21 @@ use super::{Binding, Pass, Recording, Size};
 use crate::layout::film::largest_sample;
 use crate::layout::trace::{MaterialRecord, RadianceSample, TraceParams};
 
-/// Integrator `Bsdf`: directions from the BSDF alone, light is found by hitting it.
+/// Integrators `Path` and `Bsdf`: with and without asking lights directly.
 pub static PATH: Pass = Pass {
     name: "path",
     module: "passes/trace/path",
     entry: "path",
     bindings: &[
-        Binding::read("nodes", "array<Node>"),
+        Binding::read("nodes", "array<Node>").when(&["tree"]),
         Binding::read("leaves", "array<Triangle>"),
         Binding::params("TraceParams"),
         Binding::read("materials", "array<MaterialRecord>"),
         Binding::write("radiance", "array<RadianceSample>"),
-        Binding::read("shading", "array<Shading>").when("normals"),
+        Binding::read("shading", "array<Shading>").when(&["normals"]),
+        Binding::read("lights", "array<LightRecord>").when(&["lights"]),
+        Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
+        Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
     ],
 };
 
@@ -39,7 +42,18 @@ pub fn buffers(pixels: u64, layers: u32) -> Vec<(&'static str, u64)> {
 /// Records `params.layers` samples of every pixel of the window into `radiance`.
 pub fn record(recording: &mut Recording, params: &TraceParams) {
     let size = Size::Pixels { width: params.window_width, height: params.window_height, layers: params.layers };
-    recording.run(&PATH, size).params(params);
+    let call = recording.run(&PATH, size).params(params);
+    if !needs_tree(params.triangles) {
+        call.bind("leaves", "triangles");
+    }
+}
+
+/// Most triangles that a ray is better tested against one by one. Measured on an H200 and on lavapipe: MEASUREMENTS.md.
+pub const FEW_TRIANGLES: u32 = 64;
+
+/// Whether a scene of so many triangles has a tree. Without one, rays go through `triangles`, and nothing is built.
+pub fn needs_tree(triangles: u32) -> bool {
+    triangles > FEW_TRIANGLES
 }
 
 /// What a scene and its settings ask of the kernel.
@@ -48,6 +62,14 @@ pub struct Needs<'a> {
     pub materials: &'a [MaterialRecord],
     /// Radiance from everywhere.
     pub environment: Vec3,
+    /// The environment is a picture.
+    pub sky: bool,
+    /// It is asked directly.
+    pub sky_light: bool,
+    /// Emitting triangles are asked directly.
+    pub lights: bool,
+    /// Rays have a tree to go through.
+    pub tree: bool,
     /// Some mesh has normals of its own.
     pub normals: bool,
     /// Russian roulette.
@@ -62,11 +84,29 @@ impl Needs<'_> {
             ("emitters", any(|m| m.emission.max_element() > 0.0)),
             ("environment", self.environment.max_element() > 0.0),
             ("glossy", any(|m| m.glossy > 0.0)),
+            ("lights", self.lights),
             ("normals", self.normals),
             ("roulette", self.roulette),
+            // The two exclude each other.
+            ("sky", self.sky && !self.sky_light),
+            ("sky_light", self.sky_light),
+            ("tree", self.tree),
         ];
         wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }
+}
+
+/// How light is asked for directly: what the kernel is told of its tables.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lighting {
+    /// Number of emitting triangles.
+    pub lights: u32,
+    /// 1 / the sum of their powers, as [`LightTable`](crate::layout::light::LightTable) has it; 0 without lights.
+    pub light_density: f32,
+    /// Pixels of the sky; zero without one.
+    pub sky: UVec2,
+    /// Integral of the sky's luminance over the sphere; 0 without one.
+    pub sky_power: f64,
 }
 
 /// The largest radiance that any material or the environment sends out; what the film's exponent is chosen from.
@@ -95,6 +135,27 @@ impl TraceParams {
     pub fn crop(&mut self, min: UVec2, max: UVec2) {
         (self.window_x, self.window_y) = (min.x, min.y);
         (self.window_width, self.window_height) = (max.x - min.x, max.y - min.y);
+    }
+
+    /// The lights, in a scene whose box is `radius` from its middle to a corner. Lights and sky are asked by the power that
+    /// each sends into the scene, but none more than nine times as often.
+    pub fn light(&mut self, lighting: &Lighting, radius: f64) {
+        let has_lights = lighting.lights > 0;
+        let has_sky = lighting.sky_power > 0.0;
+        self.light_share = match (has_lights, has_sky) {
+            (true, true) => {
+                let light = std::f64::consts::PI / f64::from(lighting.light_density);
+                let sky = std::f64::consts::PI * radius * radius * lighting.sky_power;
+                (light / (light + sky)).clamp(0.1, 0.9) as f32
+            }
+            (false, true) => 0.0,
+            _ => 1.0,
+        };
+        self.lights = lighting.lights;
+        self.light_density = lighting.light_density * self.light_share;
+        (self.sky_width, self.sky_height) = (lighting.sky.x, lighting.sky.y);
+        self.sky_density =
+            if has_sky { ((1.0 - f64::from(self.light_share)) / lighting.sky_power) as f32 } else { 0.0 };
     }
 
     /// What the film of this exponent can hold.

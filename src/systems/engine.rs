@@ -100,7 +100,7 @@ impl Engine {
         if let Some(error) = self.world.resource_mut::<Fault>().0.take() {
             // What was packed may not have been sent, nor what was recorded have run: all starts anew once the cause is gone.
             *self.world.resource_mut::<Pending>() = Pending::default();
-            self.world.resource_mut::<PackedScene>().sent = false;
+            self.world.resource_mut::<PackedScene>().send_again();
             self.world.resource_mut::<Dirty>().film = true;
             return Err(error);
         }

@@ -7,7 +7,10 @@ use bevy_ecs::prelude::*;
 use glam::DVec3;
 
 use super::EngineError;
+use crate::components::EnvironmentMap;
 use crate::gpu::Runtime;
+use crate::layout::light::{LightRecord, LightTable};
+use crate::layout::sky::SkyTable;
 use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
 use crate::layout::tree::Triangle;
 use crate::passes::Recording;
@@ -39,6 +42,10 @@ pub fn no_fault(fault: Res<Fault>) -> bool {
 pub struct PackedScene {
     /// Triangles and records are those that the device was sent; if not, all of them are to be sent again.
     pub sent: bool,
+    /// The same of the lights.
+    pub lights_sent: bool,
+    /// The same of the sky.
+    pub sky_sent: bool,
     /// World space point that is zero on the GPU.
     pub origin: DVec3,
     /// Triangles of all meshes, in the order of the meshes' names.
@@ -51,6 +58,13 @@ pub struct PackedScene {
     pub materials: Vec<Entity>,
     pub material_index: HashMap<Entity, u32>,
     pub records: Vec<MaterialRecord>,
+    /// World space box of all meshes, scene units; low above high without any.
+    pub low: DVec3,
+    pub high: DVec3,
+    /// Emitting triangles, where lights are asked directly; else none.
+    pub lights: LightTable,
+    /// The picture of the environment, with its strength, that the device has; and what came of it.
+    pub sky: Option<Sky>,
     /// What the camera, the film, the settings and the environment come to, but for the batch.
     pub shot: TraceParams,
     /// Radiance is summed in units of 2^-exponent.
@@ -63,6 +77,32 @@ pub struct PackedScene {
     pub target: u32,
 }
 
+impl PackedScene {
+    /// The greatest coordinate of all triangles, as the GPU has them; 0 without any.
+    pub fn extent(&self) -> f32 {
+        let corner = |corner: DVec3| (corner - self.origin).as_vec3().abs().max_element();
+        if self.triangles == 0 { 0.0 } else { corner(self.low).max(corner(self.high)) }
+    }
+
+    /// Has everything sent again.
+    pub fn send_again(&mut self) {
+        (self.sent, self.lights_sent, self.sky_sent) = (false, false, false);
+    }
+}
+
+/// An environment as it was last packed.
+#[derive(Clone, Debug)]
+pub struct Sky {
+    pub image: std::sync::Arc<EnvironmentMap>,
+    pub strength: f32,
+    /// Pixels.
+    pub size: glam::UVec2,
+    /// Integral of the luminance over the sphere.
+    pub power: f64,
+    /// The largest channel of any pixel.
+    pub brightest: f32,
+}
+
 /// Arrays on their way to the GPU.
 #[derive(Resource, Default)]
 pub struct Pending {
@@ -72,6 +112,9 @@ pub struct Pending {
     pub shading: Vec<(u32, Vec<Shading>)>,
     /// Runs of material records by the index of their first.
     pub materials: Vec<(u32, Vec<MaterialRecord>)>,
+    /// All emitting triangles.
+    pub lights: Option<Vec<LightRecord>>,
+    pub sky: Option<SkyTable>,
 }
 
 /// What this run of the schedule has to do again.

@@ -4,8 +4,11 @@ use bevy_ecs::prelude::*;
 
 use super::state::{Device, Dirty, FilmProgress, PackedScene, Pending, keep_fault, no_fault};
 use super::{EngineError, Phase};
+use crate::layout::alias::AliasColumn;
+use crate::layout::light::LightRecord;
 use crate::layout::trace::{MaterialRecord, Shading};
 use crate::layout::tree::Triangle;
+use crate::passes::trace::needs_tree;
 use crate::passes::{build, film};
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -13,6 +16,7 @@ pub fn add_systems(schedule: &mut Schedule) {
         (
             upload_changed_triangles.pipe(keep_fault),
             upload_changed_materials.pipe(keep_fault),
+            upload_changed_lights.pipe(keep_fault),
             reserve_film.pipe(keep_fault),
         )
             .chain()
@@ -34,8 +38,10 @@ fn upload_changed_triangles(
     let count = u64::from(scene.triangles);
     let device = &mut device.0;
     device.reserve("triangles", count * size_of::<Triangle>() as u64)?;
-    for (name, bytes) in build::buffers(scene.triangles) {
-        device.reserve(name, bytes)?;
+    if needs_tree(scene.triangles) {
+        for (name, bytes) in build::buffers(scene.triangles) {
+            device.reserve(name, bytes)?;
+        }
     }
     for (first, triangles) in std::mem::take(&mut pending.triangles) {
         device.write("triangles", u64::from(first), &triangles)?;
@@ -61,6 +67,23 @@ fn upload_changed_materials(
     device.0.reserve("materials", (scene.records.len() * size_of::<MaterialRecord>()) as u64)?;
     for (first, records) in std::mem::take(&mut pending.materials) {
         device.0.write("materials", u64::from(first), &records)?;
+    }
+    Ok(())
+}
+
+/// Writes the tables of lights and sky, whole: their columns depend on each other.
+fn upload_changed_lights(mut device: ResMut<Device>, mut pending: ResMut<Pending>) -> Result<(), EngineError> {
+    if let Some(lights) = pending.lights.take()
+        && !lights.is_empty()
+    {
+        device.0.reserve("lights", (lights.len() * size_of::<LightRecord>()) as u64)?;
+        device.0.write("lights", 0, &lights)?;
+    }
+    if let Some(sky) = pending.sky.take() {
+        device.0.reserve("sky", (sky.cells.len() * size_of::<glam::Vec4>()) as u64)?;
+        device.0.write("sky", 0, &sky.cells)?;
+        device.0.reserve("sky_columns", (sky.columns.len() * size_of::<AliasColumn>()) as u64)?;
+        device.0.write("sky_columns", 0, &sky.columns)?;
     }
     Ok(())
 }

@@ -1,33 +1,37 @@
-// Paths whose directions come from the BSDF alone: light is found by hitting it. One sample of one pixel an invocation.
+// Paths from the camera: integrator `Path`, which asks a light directly at every surface (`lights`, `sky_light`), or `Bsdf`, which
+// finds light by hitting it. One sample of one pixel an invocation.
 //
-// begin, extend and shade are functions over one path state, and the entry point composes them.
+// begin, extend, shade and connect are functions over one path state, and the entry point composes them.
 
 import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
 import package::gen::{Hit, Ray, Triangle, NO_HIT, T_FAR};
 import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
-@if(roulette) import package::gen::{ROULETTE_BOUNCE};
+import package::gen::{SLOT_DIRECTION, SLOT_FILM, SLOT_LOBE};
+@if(roulette) import package::gen::{ROULETTE_BOUNCE, SLOT_ROULETTE};
+@if(lights || sky_light) import package::gen::{SLOT_LIGHT, SLOT_LIGHT_POINT};
 @if(normals) import package::gen::{Shading};
 import package::lib::bsdf::mixture::{Facing, mixture_sample};
+@if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
 import package::lib::camera::{camera_direction};
 import package::lib::fault::{fault_of};
 import package::lib::intersect::{offset_ray_origin, surface_point, triangle_normal};
 @if(emitters) import package::lib::light::{emitted};
+@if(lights || sky_light) import package::lib::light::{power_heuristic};
 import package::lib::math::{largest_of};
 import package::lib::rng::{sample_1d, sample_2d};
 @if(normals) import package::lib::normals::{interpolate_normal};
+@if(lights || sky_light) import package::passes::trace::connect::{LightSample, draw_light};
+@if(lights) import package::passes::trace::connect::{light_pdf};
 import package::passes::trace::scene::{leaves};
-import package::passes::trace::traverse::{closest_hit};
+@if(sky || sky_light) import package::passes::trace::sky::{sky_radiance};
+@if(sky_light) import package::passes::trace::sky::{sky_pdf};
+@if(!tree) import package::passes::trace::sweep::{sweep};
+@if(tree) import package::passes::trace::traverse::{traverse};
 
 @group(0) @binding(2) var<storage, read> params: TraceParams;
 @group(0) @binding(3) var<storage, read> materials: array<MaterialRecord>;
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
 @if(normals) @group(0) @binding(5) var<storage, read> shading: array<Shading>;
-
-// Slots of the random dimensions: those of the camera, then those of each bounce.
-const SLOT_FILM: u32 = 0u;
-const SLOT_LOBE: u32 = 0u;
-const SLOT_DIRECTION: u32 = 1u;
-const SLOT_ROULETTE: u32 = 2u;
 
 const LARGEST_F32: f32 = 0x1.fffffep+127;
 
@@ -47,9 +51,9 @@ fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, materi
     return good;
 }
 
-// Adds radiance that arrives along the ray.
+// Adds to the pixel.
 fn gather(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> bool {
-    (*state).radiance += (*state).throughput * light;
+    (*state).radiance += light;
     return check(state, (*state).radiance, params.largest, material);
 }
 
@@ -78,9 +82,19 @@ fn begin(pixel: vec2<u32>, sample: u32) -> PathState {
     return state;
 }
 
-fn extend(state: ptr<function, PathState>) -> Hit {
+fn segment_ray(state: PathState) -> Ray {
+    return Ray(state.origin, 0.0, state.direction, T_FAR);
+}
+
+// The ray of a path: a segment of it, or a look at a light.
+fn extend(state: ptr<function, PathState>, ray: Ray, looking: bool, except: u32) -> Hit {
     (*state).rays += 1u;
-    return closest_hit(Ray((*state).origin, 0.0, (*state).direction, T_FAR), params.root);
+    @if(tree) {
+        return traverse(ray, params.root, looking, except);
+    }
+    @if(!tree) {
+        return sweep(ray, params.triangles, params.extent, looking, except);
+    }
 }
 
 // Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel.
@@ -93,60 +107,136 @@ fn survive(state: ptr<function, PathState>) -> bool {
 }
 
 // Draws a new direction from the BSDF of the surface at the end of the ray. Whether the path goes on.
-fn scatter(
-    state: ptr<function, PathState>,
-    hit: Hit,
-    triangle: Triangle,
-    material: MaterialRecord,
-    raw: vec3<f32>,
-) -> bool {
-    let facing = facing_at(triangle, hit, raw, -(*state).direction);
+fn scatter(state: ptr<function, PathState>, surface: Surface) -> bool {
     let drawn = mixture_sample(
-        material,
-        facing,
+        surface.material,
+        surface.facing,
         sample_1d((*state).key, dimension(state, SLOT_LOBE)),
         sample_2d((*state).key, dimension(state, SLOT_DIRECTION)),
     );
     (*state).throughput *= drawn.weight;
-    var alive = check(state, (*state).throughput, LARGEST_F32, triangle.material);
+    var alive = check(state, (*state).throughput, LARGEST_F32, surface.index);
     alive = alive && largest_of((*state).throughput) > 0.0;
     @if(roulette) {
         alive = alive && survive(state);
     }
     if (alive) {
-        let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
-        (*state).origin = offset_ray_origin(at.position, at.error, facing.geometric, drawn.direction);
+        (*state).origin = offset_ray_origin(surface.position, surface.error, surface.facing.geometric, drawn.direction);
         (*state).direction = drawn.direction;
-        (*state).cone_width += (*state).cone_spread * hit.t;
+        (*state).pdf = drawn.pdf;
+        (*state).cone_width += (*state).cone_spread * surface.t;
         (*state).bounce += 1u;
     }
     return alive;
 }
 
-// What happens at the end of the ray: light is gathered, a new direction drawn. Whether the path goes on.
+// A look at a light: nothing may lie between the ends of the ray but the light itself.
+@if(lights || sky_light)
+struct Connection {
+    ray: Ray,
+    // What it adds to the pixel if nothing does; 0 where there is no use in looking.
+    light: vec3<f32>,
+    // The light's own triangle, or NO_HIT.
+    triangle: u32,
+}
+
+// Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by scatter().
+@if(lights || sky_light)
+fn connect(state: ptr<function, PathState>, surface: Surface) -> Connection {
+    let drawn = draw_light(
+        params,
+        surface.position,
+        sample_1d((*state).key, dimension(state, SLOT_LIGHT)),
+        sample_2d((*state).key, dimension(state, SLOT_LIGHT_POINT)),
+    );
+    let at = mixture_evaluate(surface.material, surface.facing, drawn.direction);
+    var light = vec3<f32>(0.0);
+    if (drawn.pdf > 0.0 && at.pdf > 0.0) {
+        light = (*state).throughput * at.value * drawn.radiance * (power_heuristic(drawn.pdf, at.pdf) / drawn.pdf);
+    }
+    let origin = offset_ray_origin(surface.position, surface.error, surface.facing.geometric, drawn.direction);
+    if (drawn.triangle == NO_HIT) {
+        return Connection(Ray(origin, 0.0, drawn.direction, T_FAR), light, NO_HIT);
+    }
+    // Up to the point itself, less what the distance to whatever it lies on may be rounded by.
+    return Connection(Ray(origin, 0.0, drawn.point - origin, 1.0 - 0x1p-16), light, drawn.triangle);
+}
+
+// The surface at the end of a ray.
+struct Surface {
+    facing: Facing,
+    material: MaterialRecord,
+    // Index of the material.
+    index: u32,
+    position: vec3<f32>,
+    // How far each coordinate must be moved for a ray that leaves from here.
+    error: vec3<f32>,
+    // Distance from the ray's origin.
+    t: f32,
+}
+
+fn surface_at(triangle: Triangle, hit: Hit, material: MaterialRecord, raw: vec3<f32>, wo: vec3<f32>) -> Surface {
+    let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
+    let facing = facing_at(triangle, hit, raw, wo);
+    return Surface(facing, material, triangle.material, at.position, at.error, hit.t);
+}
+
+// What arrives along the ray from its end, times the part of it that this way of finding it counts for.
+fn arriving(state: ptr<function, PathState>, hit: Hit, triangle: Triangle, material: MaterialRecord, raw: vec3<f32>) -> vec3<f32> {
+    var light = vec3<f32>(0.0);
+    if (hit.triangle == NO_HIT) {
+        @if(environment) {
+            light = params.environment;
+        }
+        @if(sky || sky_light) {
+            light = sky_radiance((*state).direction, vec2<u32>(params.sky_width, params.sky_height));
+        }
+        @if(sky_light) {
+            if ((*state).pdf > 0.0) {
+                light *= power_heuristic((*state).pdf, sky_pdf(light, params.sky_density));
+            }
+        }
+    } else {
+        @if(emitters) {
+            light = emitted(material, dot(raw, (*state).direction) > 0.0);
+        }
+        @if(lights) {
+            if ((*state).pdf > 0.0) {
+                light *= power_heuristic((*state).pdf, light_pdf(params, material, raw, (*state).direction, hit.t));
+            }
+        }
+    }
+    return light;
+}
+
+// What happened at the end of a ray: where the path goes on, and where it looks for light first.
+struct Shaded {
+    alive: bool,
+    @if(lights || sky_light) connection: Connection,
+}
+
+// What happens at the end of the ray: light is gathered, a light is asked, a new direction drawn.
 //
 // Written with one way out, for each early one costs lavapipe's compiler masks over all that follows.
-fn shade(state: ptr<function, PathState>, hit: Hit) -> bool {
+fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
     let missed = hit.triangle == NO_HIT;
     // Of a ray that missed: leaf 0, not used.
     let triangle = leaves[hit.leaf];
     let material = materials[triangle.material];
     let raw = triangle_normal(triangle.a, triangle.b, triangle.c);
-    var sky = vec3<f32>(0.0);
-    @if(environment) {
-        sky = params.environment;
-    }
-    var shine = vec3<f32>(0.0);
-    @if(emitters) {
-        shine = emitted(material, dot(raw, (*state).direction) > 0.0);
-    }
-    var alive = gather(state, select(shine, sky, missed), select(triangle.material, NO_MATERIAL, missed));
-    if (alive && !missed && (*state).bounce + 1u < params.max_depth) {
-        alive = scatter(state, hit, triangle, material, raw);
+    let light = arriving(state, hit, triangle, material, raw);
+    var shaded: Shaded;
+    shaded.alive = gather(state, (*state).throughput * light, select(triangle.material, NO_MATERIAL, missed));
+    if (shaded.alive && !missed && (*state).bounce + 1u < params.max_depth) {
+        let surface = surface_at(triangle, hit, material, raw, -(*state).direction);
+        @if(lights || sky_light) {
+            shaded.connection = connect(state, surface);
+        }
+        shaded.alive = scatter(state, surface);
     } else {
-        alive = false;
+        shaded.alive = false;
     }
-    return alive;
+    return shaded;
 }
 
 // What a path that has ended leaves for the film.
@@ -165,10 +255,40 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     var state = begin(id.xy + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
-    for (var segment = 0u; segment < params.max_depth; segment++) {
-        let hit = extend(&state);
-        if (!shade(&state, hit)) {
-            break;
+    @if(lights || sky_light) {
+        // Segments and looks at lights take turns in one loop, so that the walk through the scene is compiled once.
+        var ray = segment_ray(state);
+        var looking = false;
+        var alive = true;
+        var connection: Connection;
+        for (var i = 0u; i < 2u * params.max_depth; i++) {
+            let hit = extend(&state, ray, looking, connection.triangle);
+            if (looking) {
+                looking = false;
+                if (hit.triangle == NO_HIT) {
+                    alive = gather(&state, connection.light, NO_MATERIAL) && alive;
+                }
+            } else {
+                let shaded = shade(&state, hit);
+                alive = shaded.alive;
+                connection = shaded.connection;
+                looking = state.faulty == 0u && largest_of(connection.light) > 0.0;
+            }
+            if (!alive && !looking) {
+                break;
+            }
+            ray = segment_ray(state);
+            if (looking) {
+                ray = connection.ray;
+            }
+        }
+    }
+    @if(!lights && !sky_light) {
+        for (var segment = 0u; segment < params.max_depth; segment++) {
+            let hit = extend(&state, segment_ray(state), false, NO_HIT);
+            if (!shade(&state, hit).alive) {
+                break;
+            }
         }
     }
     radiance[(id.z * params.window_height + id.y) * params.window_width + id.x] = finish(&state);

@@ -10,9 +10,10 @@
 // come from. What was passed by before stays passed by, since the best t only shrinks.
 
 import package::gen::{Hit, Node, Ray, LEAF_BIT, MAX_STEPS, NO_HIT, NO_ROOT};
-import package::lib::intersect::{Query, intersect_triangle, prepare_query, FAR_GROWTH};
+import package::lib::intersect::{Query, prepare_query, FAR_GROWTH};
 import package::lib::traverse_config::{STACK_SIZE, VISITS_PER_LEAF};
-import package::passes::trace::scene::{leaves, nodes, scene_extent};
+import package::passes::trace::leaf::{test_leaf};
+import package::passes::trace::scene::{nodes, scene_extent};
 
 // Where the ray enters and leaves the boxes of a node's two children.
 struct ChildIntervals {
@@ -37,22 +38,6 @@ fn child_intervals(query: Query, node: Node) -> ChildIntervals {
 
 fn interval_passes(near: f32, far: f32, t_min: f32, t: f32) -> bool {
     return near <= min(far, t) && far >= t_min;
-}
-
-// Makes the triangle of a leaf the hit if it is nearer, or as near and of lower index.
-fn test_leaf(query: Query, leaf: u32, hit: ptr<function, Hit>) {
-    let triangle = leaves[leaf];
-    let found = intersect_triangle(query, triangle.a, triangle.b, triangle.c);
-    if !found.hit || found.t <= query.t_min || found.t >= query.t_max {
-        return;
-    }
-    if found.t < (*hit).t || (found.t == (*hit).t && triangle.index < (*hit).triangle) {
-        (*hit).t = found.t;
-        (*hit).triangle = triangle.index;
-        (*hit).leaf = leaf;
-        (*hit).b1 = found.b1;
-        (*hit).b2 = found.b2;
-    }
 }
 
 // The next node of the walk after everything below `last`, or NO_ROOT.
@@ -115,7 +100,8 @@ fn visit_node(query: Query, index: u32, t: f32) -> Visit {
 
 // Leaves are tested as soon as their parent is visited, nearer first, and only nodes wait on the stack. With `any` the
 // walk ends at its first hit.
-fn traverse(ray: Ray, root: u32, any: bool) -> Hit {
+// The hit of least (t, triangle), or, where `any`, some hit. Triangle `except` is passed through.
+fn traverse(ray: Ray, root: u32, any: bool, except: u32) -> Hit {
     var hit = Hit(ray.t_max, NO_HIT, 0u, 0.0, 0.0, 0u);
     if root == NO_ROOT || all(ray.direction == vec3(0.0)) {
         return hit;
@@ -155,7 +141,7 @@ fn traverse(ray: Ray, root: u32, any: bool) -> Hit {
             }
         }
         if visit.first_leaf != NO_ROOT {
-            test_leaf(query, visit.first_leaf & ~LEAF_BIT, &hit);
+            test_leaf(query, visit.first_leaf & ~LEAF_BIT, except, &hit);
             visit.first_leaf = visit.second_leaf;
             visit.second_leaf = NO_ROOT;
             walking = !(any && hit.triangle != NO_HIT);
@@ -166,10 +152,10 @@ fn traverse(ray: Ray, root: u32, any: bool) -> Hit {
 
 // The hit of least (t, triangle).
 fn closest_hit(ray: Ray, root: u32) -> Hit {
-    return traverse(ray, root, false);
+    return traverse(ray, root, false, NO_HIT);
 }
 
 // Whether anything lies between the ray's ends.
 fn any_hit(ray: Ray, root: u32) -> bool {
-    return traverse(ray, root, true).triangle != NO_HIT;
+    return traverse(ray, root, true, NO_HIT).triangle != NO_HIT;
 }

@@ -43,7 +43,8 @@ pub fn extract_changed_meshes(
     let mut sorted: Vec<_> = meshes.iter().collect();
     sorted.sort_by(|a, b| (a.1.as_str(), a.0).cmp(&(b.1.as_str(), b.0)));
     let slots = plan_slots(&sorted, &scene)?;
-    let origin = choose_origin(&slots);
+    let (low, high) = scene_box(&slots);
+    let origin = choose_origin(low, high);
     let order: Vec<Entity> = sorted.iter().map(|mesh| mesh.0).collect();
     let normals = slots.iter().any(|slot| !slot.geometry.normal_triangles.is_empty());
     let triangles = slots.last().map_or(0, |slot| slot.first + slot.count);
@@ -63,6 +64,7 @@ pub fn extract_changed_meshes(
         scene.triangles = triangles;
         scene.meshes = order;
         scene.origin = origin;
+        (scene.low, scene.high) = (low, high);
         scene.normals = normals;
         dirty.tree = true;
         dirty.film = true;
@@ -114,13 +116,16 @@ fn world_box(mesh: &MeshData, transform: &DAffine3) -> (DVec3, DVec3) {
     })
 }
 
+/// The box of all meshes; low above high if none has a corner.
+fn scene_box(slots: &[MeshSlot]) -> (DVec3, DVec3) {
+    let filled = slots.iter().filter(|slot| slot.low.cmple(slot.high).all());
+    filled.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), slot| (low.min(slot.low), high.max(slot.high)))
+}
+
 /// The point that is zero on the GPU, where f32 is finest: zero itself for a scene around it, else the centre of the
 /// scene, snapped to a grid of twice its size or more. A function of the scene alone, so that a scene reached by edits
 /// equals one opened fresh; the grid keeps it still under small edits.
-fn choose_origin(slots: &[MeshSlot]) -> DVec3 {
-    let filled = slots.iter().filter(|slot| slot.low.cmple(slot.high).all());
-    let (low, high) = filled
-        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), slot| (low.min(slot.low), high.max(slot.high)));
+fn choose_origin(low: DVec3, high: DVec3) -> DVec3 {
     let size = (high - low).max_element();
     if !(size.is_finite() && size > 0.0) {
         return DVec3::ZERO;
@@ -130,18 +135,25 @@ fn choose_origin(slots: &[MeshSlot]) -> DVec3 {
     if snapped.is_finite() { snapped } else { DVec3::ZERO }
 }
 
+impl MeshSlot {
+    /// The mesh's triangles, relative to the scene's origin: f64 until the last step.
+    pub fn triangles(&self, origin: DVec3) -> impl Iterator<Item = Triangle> {
+        let mesh = &*self.geometry;
+        let place = move |i: u32| (self.transform.0.transform_point3(mesh.positions[i as usize]) - origin).as_vec3();
+        mesh.triangles.iter().zip(self.first..).map(move |(corners, index)| {
+            let [a, b, c] = corners.map(place);
+            Triangle { a, index, b, material: self.material, c, flags: 0 }
+        })
+    }
+}
+
 /// Appends a mesh's triangles, and its corner normals if any mesh has some, to what is to be uploaded.
 fn flatten(slot: &MeshSlot, origin: DVec3, normals: bool, pending: &mut Pending) {
-    let mesh = &*slot.geometry;
-    let place = |i: u32| (slot.transform.0.transform_point3(mesh.positions[i as usize]) - origin).as_vec3();
-    let triangles = mesh.triangles.iter().zip(slot.first..).map(|(corners, index)| {
-        let [a, b, c] = corners.map(place);
-        Triangle { a, index, b, material: slot.material, c, flags: 0 }
-    });
-    pending.triangles.push((slot.first, triangles.collect()));
+    pending.triangles.push((slot.first, slot.triangles(origin).collect()));
     if !normals {
         return;
     }
+    let mesh = &*slot.geometry;
     let turn: DMat3 = slot.transform.0.matrix3.inverse().transpose();
     let bend = |i: u32| (turn * mesh.normals[i as usize].as_dvec3()).normalize_or_zero().as_vec3();
     let shading = match mesh.normal_triangles.as_slice() {

@@ -1,8 +1,10 @@
 //! Components to packed arrays: what changed, by change detection, and whether it changed anything.
 
+mod lights;
 mod materials;
 mod meshes;
 mod shot;
+mod sky;
 
 use bevy_ecs::prelude::*;
 
@@ -14,6 +16,8 @@ pub fn add_systems(schedule: &mut Schedule) {
         (
             materials::extract_changed_materials,
             meshes::extract_changed_meshes.pipe(keep_fault),
+            lights::extract_changed_lights,
+            sky::extract_changed_sky,
             shot::extract_changed_shot.pipe(keep_fault),
         )
             .chain()

@@ -1,13 +1,13 @@
 //! Camera, film, settings and environment to the parameters of the trace kernel.
 
 use bevy_ecs::prelude::*;
-use glam::Vec3;
+use glam::{UVec2, Vec3};
 
-use crate::components::{Active, Camera, Environment, Film, Name, Render};
+use crate::components::{Active, Camera, Environment, Film, Integrator, Name, Render};
 use crate::layout::film::film_exponent;
 use crate::layout::trace::TraceParams;
 use crate::layout::tree::root;
-use crate::passes::trace::{Needs, View, largest_emission};
+use crate::passes::trace::{Lighting, Needs, View, largest_emission, needs_tree};
 use crate::systems::EngineError;
 use crate::systems::state::{Dirty, FilmProgress, PackedScene};
 
@@ -31,20 +31,41 @@ pub fn extract_changed_shot(
     if window.min.cmpge(window.max).any() || window.max.cmpgt(film.size).any() {
         return Err(EngineError::EmptyFilm);
     }
-    let exponent = film_exponent(largest_emission(&scene.records, environment));
+    let sky = scene.sky.as_ref();
+    let brightest = environment.max(Vec3::splat(sky.map_or(0.0, |sky| sky.brightest)));
+    let exponent = film_exponent(largest_emission(&scene.records, brightest));
     let mut shot = TraceParams {
         environment,
         seed: render.seed,
         max_depth: render.max_depth.max(1),
         root: root(scene.triangles),
+        triangles: scene.triangles,
+        extent: scene.extent(),
         ..Default::default()
     };
     let view = View { position: camera.position, look_at: camera.look_at, up: camera.up, fov_y: camera.fov_y };
     shot.aim(&view, film.size, scene.origin);
     shot.crop(window.min, window.max);
     shot.fit_film(exponent);
-    let needs =
-        Needs { materials: &scene.records, environment, normals: scene.normals, roulette: render.roulette }.features();
+    let asked = render.integrator == Integrator::Path;
+    let lighting = Lighting {
+        lights: scene.lights.lights.len() as u32,
+        light_density: scene.lights.density,
+        sky: sky.map_or(UVec2::ZERO, |sky| sky.size),
+        sky_power: sky.filter(|_| asked).map_or(0.0, |sky| sky.power),
+    };
+    shot.light(&lighting, 0.5 * (scene.high - scene.low).length());
+    let needs = Needs {
+        materials: &scene.records,
+        environment,
+        sky: sky.is_some(),
+        sky_light: lighting.sky_power > 0.0,
+        lights: lighting.lights > 0,
+        tree: needs_tree(scene.triangles),
+        normals: scene.normals,
+        roulette: render.roulette,
+    };
+    let needs = needs.features();
     let fewer = render.spp.max(1) < progress.samples + u32::from(progress.rows > 0);
     // By their bits: a NaN differs from itself, and would start the film anew for ever.
     let same = bytemuck::bytes_of(&shot) == bytemuck::bytes_of(&scene.shot);

@@ -1,0 +1,82 @@
+// A light drawn to be asked directly, and the density with which that is done.
+
+import package::gen::{TraceParams, NO_HIT};
+@if(lights) import package::gen::{LightRecord, MATERIAL_ONE_SIDED, MaterialRecord};
+@if(lights) import package::lib::intersect::{triangle_normal};
+@if(lights) import package::lib::light::{light_area_pdf, light_point};
+@if(lights) import package::lib::math::{largest_of};
+@if(sky_light) import package::passes::trace::sky::{draw_sky, sky_pdf};
+
+@if(lights) @group(0) @binding(6) var<storage, read> lights: array<LightRecord>;
+
+// Light that arrives at a point from one drawn direction.
+struct LightSample {
+    // Unit length.
+    direction: vec3<f32>,
+    // By solid angle, of lights and sky together; 0 where nothing arrives.
+    pdf: f32,
+    radiance: vec3<f32>,
+    // The triangle that sends it, or NO_HIT for the sky.
+    triangle: u32,
+    // Where it leaves that triangle.
+    point: vec3<f32>,
+}
+
+// The density by solid angle of a direction of unit length that meets a light of normal `raw`, of any length, at distance `t`.
+@if(lights)
+fn solid_angle_pdf(area_pdf: f32, raw: vec3<f32>, direction: vec3<f32>, t: f32) -> f32 {
+    let size = largest_of(abs(raw));
+    // A triangle without area is never hit, and is no light; one seen edge-on is hit by rounding alone.
+    let cos_light = max(abs(dot(normalize(raw / max(size, 1e-37)), direction)), 1e-12);
+    return area_pdf * (t * t / cos_light);
+}
+
+// The density with which draw_light() draws a direction that was found to meet a surface at distance `t`.
+@if(lights)
+fn light_pdf(params: TraceParams, material: MaterialRecord, raw: vec3<f32>, direction: vec3<f32>, t: f32) -> f32 {
+    let sides = select(2u, 1u, (material.flags & MATERIAL_ONE_SIDED) != 0u);
+    return solid_angle_pdf(light_area_pdf(material.emission, sides, params.light_density), raw, direction, t);
+}
+
+// A triangle by its power, from one number. With n lights that leaves 24 - log2 n bits to choose between a column and its
+// alias: each light's share is off by 2^-24 n of itself at most, up or down by chance.
+@if(lights)
+fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>) -> LightSample {
+    let scaled = pick * f32(params.lights);
+    let column = min(u32(scaled), params.lights - 1u);
+    let own = scaled - f32(column) < lights[column].threshold;
+    let light = lights[select(lights[column].other, column, own)];
+    let point = light_point(light, u);
+    let raw = triangle_normal(light.a, light.b, light.c);
+    let offset = point - position;
+    let t = length(offset);
+    if (t == 0.0) {
+        return LightSample(vec3<f32>(0.0), 0.0, vec3<f32>(0.0), light.triangle, point);
+    }
+    let direction = offset / t;
+    let lit = light.sides == 2u || dot(raw, direction) < 0.0;
+    let pdf = solid_angle_pdf(light_area_pdf(light.emission, light.sides, params.light_density), raw, direction, t);
+    return LightSample(direction, select(0.0, pdf, lit), light.emission, light.triangle, point);
+}
+
+@if(sky_light)
+fn draw_from_sky(params: TraceParams, u: vec2<f32>) -> LightSample {
+    let drawn = draw_sky(vec2<u32>(params.sky_width, params.sky_height), u);
+    return LightSample(drawn.direction, sky_pdf(drawn.radiance, params.sky_density), drawn.radiance, NO_HIT, vec3<f32>(0.0));
+}
+
+// Light at a position. `pick` chooses the light, `u` the point on it.
+fn draw_light(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>) -> LightSample {
+    @if(lights && sky_light) {
+        if (pick >= params.light_share) {
+            return draw_from_sky(params, u);
+        }
+        return draw_triangle(params, position, pick / params.light_share, u);
+    }
+    @if(lights && !sky_light) {
+        return draw_triangle(params, position, pick, u);
+    }
+    @if(!lights) {
+        return draw_from_sky(params, u);
+    }
+}

@@ -1,0 +1,21 @@
+// A ray against the triangle of one leaf.
+
+import package::gen::{Hit};
+import package::lib::intersect::{Query, intersect_triangle};
+import package::passes::trace::scene::{leaves};
+
+// Makes the triangle of a leaf the hit if it is nearer, or as near and of lower index; never triangle `except`.
+fn test_leaf(query: Query, leaf: u32, except: u32, hit: ptr<function, Hit>) {
+    let triangle = leaves[leaf];
+    let found = intersect_triangle(query, triangle.a, triangle.b, triangle.c);
+    if !found.hit || found.t <= query.t_min || found.t >= query.t_max || triangle.index == except {
+        return;
+    }
+    if found.t < (*hit).t || (found.t == (*hit).t && triangle.index < (*hit).triangle) {
+        (*hit).t = found.t;
+        (*hit).triangle = triangle.index;
+        (*hit).leaf = leaf;
+        (*hit).b1 = found.b1;
+        (*hit).b2 = found.b2;
+    }
+}

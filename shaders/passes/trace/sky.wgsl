@@ -1,0 +1,57 @@
+// The environment's pixels, and a direction drawn by their radiance.
+
+@if(sky_light) import package::gen::{AliasColumn};
+import package::lib::colour::{luminance};
+import package::lib::sky::{sky_cell};
+@if(sky_light) import package::lib::sky::{sky_direction};
+
+@group(0) @binding(7) var<storage, read> sky: array<vec4<f32>>;
+@if(sky_light) @group(0) @binding(8) var<storage, read> sky_columns: array<AliasColumn>;
+
+// Radiance that arrives from a direction.
+fn sky_radiance(direction: vec3<f32>, size: vec2<u32>) -> vec3<f32> {
+    let cell = sky_cell(direction, size);
+    return sky[cell.y * size.x + cell.x].rgb;
+}
+
+// Density by solid angle with which a direction of such radiance is drawn; `density` is that of unit luminance.
+@if(sky_light)
+fn sky_pdf(radiance: vec3<f32>, density: f32) -> f32 {
+    return luminance(radiance) * density;
+}
+
+@if(sky_light)
+struct SkySample {
+    // Unit length.
+    direction: vec3<f32>,
+    radiance: vec3<f32>,
+}
+
+// An index drawn from the `count` columns from `first` on, and the uniform number that is left over.
+@if(sky_light)
+struct ColumnSample {
+    index: u32,
+    rest: f32,
+}
+
+@if(sky_light)
+fn draw_column(first: u32, count: u32, u: f32) -> ColumnSample {
+    let scaled = u * f32(count);
+    let index = min(u32(scaled), count - 1u);
+    // Rounding can reach the next column.
+    let rest = min(scaled - f32(index), 0x1.fffffep-1);
+    let column = sky_columns[first + index];
+    if (rest < column.threshold) {
+        return ColumnSample(index, rest / column.threshold);
+    }
+    return ColumnSample(column.other, (rest - column.threshold) / (1.0 - column.threshold));
+}
+
+@if(sky_light)
+fn draw_sky(size: vec2<u32>, u: vec2<f32>) -> SkySample {
+    let row = draw_column(0u, size.y, u.y);
+    let column = draw_column(size.y + row.index * size.x, size.x, u.x);
+    let cell = vec2<u32>(column.index, row.index);
+    let direction = sky_direction(cell, size, vec2<f32>(column.rest, row.rest));
+    return SkySample(direction, sky[cell.y * size.x + cell.x].rgb);
+}

@@ -1,0 +1,73 @@
+//! Emitting triangles, behind an alias table over their power.
+
+use glam::Vec3;
+
+use super::alias::alias_table;
+use super::trace::{MATERIAL_ONE_SIDED, MaterialRecord, luminance};
+use super::tree::Triangle;
+
+gpu_struct! {
+    /// An emitting triangle, and the column of the alias table at its index.
+    pub struct LightRecord {
+        /// First corner, world space relative to the scene's origin.
+        pub a: Vec3,
+        /// Where the column stands for this very light: below this remainder, 0 to 1.
+        pub threshold: f32,
+        /// Second corner.
+        pub b: Vec3,
+        /// The light it stands for otherwise.
+        pub other: u32,
+        /// Third corner.
+        pub c: Vec3,
+        /// Index of the triangle in scene order.
+        pub triangle: u32,
+        /// Emitted radiance, linear Rec.709.
+        pub emission: Vec3,
+        /// Sides that emit: 1 the front alone, or 2.
+        pub sides: u32,
+    }
+}
+
+/// All emitting triangles, ready to be drawn by their power.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LightTable {
+    /// In scene order.
+    pub lights: Vec<LightRecord>,
+    /// 1 / the sum of all powers: a point of a light is drawn with the density `luminance * sides * density` by area. 0 without
+    /// lights.
+    pub density: f32,
+}
+
+impl LightTable {
+    /// From triangles in scene order; those that emit nothing, or have no area, are left out.
+    pub fn new(triangles: impl Iterator<Item = Triangle>, records: &[MaterialRecord]) -> Self {
+        let (mut lights, mut powers) = (Vec::new(), Vec::new());
+        for triangle in triangles {
+            let Some(record) = records.get(triangle.material as usize) else { continue };
+            let sides = if record.flags & MATERIAL_ONE_SIDED != 0 { 1 } else { 2 };
+            let power = area(&triangle) * brightness(record.emission) * f64::from(sides);
+            if power > 0.0 && power.is_finite() {
+                let Triangle { a, b, c, index, .. } = triangle;
+                let emission = record.emission;
+                lights.push(LightRecord { a, b, c, triangle: index, emission, sides, ..LightRecord::default() });
+                powers.push(power);
+            }
+        }
+        for (light, column) in lights.iter_mut().zip(alias_table(&powers)) {
+            (light.threshold, light.other) = (column.threshold, column.other);
+        }
+        let total: f64 = powers.iter().sum();
+        Self { lights, density: if total > 0.0 { (1.0 / total) as f32 } else { 0.0 } }
+    }
+}
+
+/// Scene units squared.
+fn area(triangle: &Triangle) -> f64 {
+    let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(Vec3::as_dvec3);
+    0.5 * (b - a).cross(c - a).length()
+}
+
+/// Rec.709 luminance as the kernel has it, so that both agree on a light's share.
+fn brightness(emission: Vec3) -> f64 {
+    f64::from(luminance(emission))
+}
