@@ -29,7 +29,8 @@ fn a_mirror_reflects_into_one_direction() {
     }
 }
 
-/// Worst relative error of the kernel's reflectance over angles and indices, in units of what is allowed.
+/// Worst error of the kernel's reflectance over angles and indices, by itself and beside what passes, in units of what is
+/// allowed.
 fn fresnel_error(rig: &mut Runtime) -> f64 {
     let mut cosines: Vec<f32> = (0..=4096).map(|i| i as f32 / 4096.0).collect();
     cosines.extend((1..40).map(|i| 2f32.powi(-i)));
@@ -57,8 +58,7 @@ fn fresnel_error(rig: &mut Runtime) -> f64 {
                     let across = 2.0 * at.here * cos / (at.here * cos + at.beyond * cos_t);
                     let along = 2.0 * at.here * cos / (at.beyond * cos + at.here * cos_t);
                     let passed = at.beyond * cos_t / (at.here * cos) * 0.5 * (across * across + along * along);
-                    let all = f64::from(got.x) + passed;
-                    assert!((all - 1.0).abs() < 1e-5 + rounding, "Ni {ni}, cos {cos}: R + T = {all}");
+                    worst = worst.max((f64::from(got.x) + passed - 1.0).abs() / (1e-5 + rounding));
                 }
             }
         }

@@ -22,12 +22,13 @@ const TWINS: [(f32, f32, Specular, f64); 10] = [
 ];
 
 /// How far a lobe of this width lets a density be off: a direction's coordinates err by 2^-22.
-fn sharpness(lobe: Specular) -> f64 {
+fn sharpness(lobe: Specular, degrees: f64) -> f64 {
     match lobe {
         // Of the exponential, 2 n sqrt(17 / n), 17 being -log of the tail's end.
         Phong(ns) => 2.0 * ns.max(1.0).sqrt() * 17f64.sqrt() * 2f64.powi(-22),
-        // The logarithm of D moves by at most 2 / alpha of the angle.
-        Ggx(alpha) => 2.0 / alpha * 2f64.powi(-22),
+        // The logarithm of D moves by at most 2 / alpha of the facet's angle; that is of the sum of two directions, which
+        // is short where they graze.
+        Ggx(alpha) => 2.0 / alpha / degrees.to_radians().cos() * 2f64.powi(-22),
         Mirror => 0.0,
     }
 }
@@ -64,7 +65,7 @@ fn draws_equal_the_f64_twin() {
                 // A cosine errs by 2^-22 too, and the weight of a grazing direction goes with it.
                 worst[2] = worst[2].max(off - 2f64.powi(-22) / cos.abs());
             }
-            let density = sharpness(lobe);
+            let density = sharpness(lobe, degrees);
             assert!(worst[0] < 2e-6, "{lobe:?}: a direction is off by {}", worst[0]);
             assert!(worst[1] < 1e-5 + density, "{lobe:?}: a pdf is off by {}", worst[1]);
             assert!(worst[2] < 2e-5 + density, "{lobe:?}: a weight is off by {}", worst[2]);
