@@ -9,6 +9,7 @@ mod engine;
 mod extend;
 mod film;
 mod fuzz;
+mod glass;
 mod intersect;
 mod law;
 mod layout;

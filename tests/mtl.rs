@@ -24,14 +24,15 @@ fn read_named(name: &str, mtl: &str) -> (Material, Vec<Diagnostic>) {
 fn a_whole_material_arrives_without_warnings() {
     let (material, warnings) = read(
         "# a comment\nnewmtl other\nKd 0 0 0\n\nnewmtl a\nKd 0.1 0.2 0.3\nKs 0.4 0.5 0.6\nNs 33\nKe 1 2 3\nNi 1.5\nd 1\n\
-         Tr 0\nTf 1 1 1\nillum 2\n",
+         Tr 0\nTf 1 0.5 1\nPr 0.25\nPm 0.75\nillum 2\n",
     );
     assert!(warnings.is_empty(), "{warnings:?}");
     assert_eq!(material.kd, Vec3::new(0.1, 0.2, 0.3));
     assert_eq!(material.ks, Vec3::new(0.4, 0.5, 0.6));
     assert_eq!(material.ns, 33.0);
     assert_eq!(material.emission, Vec3::new(1.0, 2.0, 3.0));
-    assert_eq!((material.ni, material.dissolve, material.tf, material.illum), (1.5, 1.0, Vec3::ONE, 2));
+    assert_eq!((material.ni, material.dissolve, material.tf, material.illum), (1.5, 1.0, Vec3::new(1.0, 0.5, 1.0), 2));
+    assert_eq!((material.roughness, material.metallic), (Some(0.25), 0.75));
     assert!(!material.one_sided);
 }
 
@@ -50,6 +51,14 @@ fn what_is_not_given_is_black_unless_nothing_is() {
     assert!(warnings[0].message.contains("rendered grey"), "{warnings:?}");
     // A map is multiplied by Kd, which is then 1.
     assert_eq!(read("newmtl a\nmap_Kd there is one.png\n").0.kd, Vec3::ONE);
+}
+
+#[test]
+fn glass_needs_no_colour() {
+    let (material, warnings) = read("newmtl a\nNi 1.5\nillum 7\n");
+    assert_eq!((material.illum, material.ni), (7, 1.5));
+    assert!(warnings.is_empty(), "{warnings:?}");
+    assert_eq!(read("newmtl a\nKd 0 0 0\nKs 0 0 0\nillum 4\n").1, []);
 }
 
 #[test]
@@ -112,17 +121,16 @@ const DOUBTFUL: &[(&str, u32, &str)] = &[
     ("Ni 0.5", 4, "taken as 1"),
     ("d 2", 3, "taken as 1"),
     ("d -halo 0.5", 3, "`-halo` is not honoured"),
-    ("d 0.5", 1, "is transparent"),
     ("Tr 0.5", 1, "it is taken as `d 0.5`"),
-    ("Tf 0.5 1 1", 1, "filters what passes through"),
     ("illum 11", 1, "from 0 to 10, not `11`"),
     ("illum", 1, "from 0 to 10"),
     ("illum -1", 1, "from 0 to 10"),
-    ("illum 7", 1, "illum 7"),
+    ("illum 7", 1, "is glass (illum 7)"),
     ("illum 10", 1, "shadow catcher"),
     ("Ka 1 1 1", 1, "no meaning in path tracing"),
-    ("Pr 0.5", 1, "`Pr` is not honoured yet"),
-    ("Pm 0.5", 1, "`Pm` is not honoured yet"),
+    ("Pr 2", 4, "taken as 1"),
+    ("Pm -1", 4, "taken as 0"),
+    ("Pc 0.5", 1, "`Pc` is not honoured yet"),
     ("Kdd 1 1 1", 1, "did you mean `Kd`"),
     ("something 1", 1, "unknown statement `something`"),
     ("map_Kd", 1, "names no file"),

@@ -12,7 +12,7 @@ use lucerna::passes::Recording;
 use lucerna::passes::trace::{self, Lighting, View};
 
 /// A scene as the trace kernel gets it.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Room {
     pub triangles: Vec<Triangle>,
     pub materials: Vec<MaterialRecord>,
@@ -101,6 +101,35 @@ impl Room {
         }
         room.quad(corner + up, f, e, block);
         room.ball(Vec3::new(0.45, -0.6, 0.3), 0.39, ball);
+        room
+    }
+
+    /// The same room with a glass ball, a mirror, a sheet of rough metal and a veil.
+    pub fn glass() -> Self {
+        let mut room = Self { environment: Vec3::new(0.3, 0.4, 0.5), ..Self::default() };
+        let pack = |values: Reflector| MaterialRecord::pack(&values, EnergyRule::Preserve);
+        let white = room.material(matte(Vec3::splat(0.73), Vec3::ZERO));
+        let red = room.material(matte(Vec3::new(0.63, 0.06, 0.05), Vec3::ZERO));
+        let glow = room.material(matte(Vec3::splat(0.2), Vec3::new(1.0, 1.5, 2.0)));
+        let mirror = room.material(pack(Reflector {
+            kd: Vec3::splat(0.2),
+            ks: Vec3::new(0.7, 0.6, 0.5),
+            mirror: true,
+            ..Reflector::default()
+        }));
+        let metal =
+            Reflector { kd: Vec3::new(0.9, 0.6, 0.3), roughness: Some(0.5), metallic: 1.0, ..Reflector::default() };
+        let metal = room.material(pack(metal));
+        let veil =
+            Reflector { opacity: 0.6, tf: Vec3::new(0.9, 0.7, 0.8), kd: Vec3::splat(0.3), ..Reflector::default() };
+        let veil = room.material(pack(veil));
+        let glass = Reflector { dielectric: true, ni: 1.5, tf: Vec3::new(0.9, 1.0, 0.95), ..Reflector::default() };
+        let glass = room.material(pack(glass));
+        room.walls([Some(red), Some(glow), Some(white), Some(glow), Some(white), None]);
+        room.quad(Vec3::new(-0.9, -0.9, -0.9), Vec3::new(1.0, 0.0, -0.05), Vec3::Y * 1.5, mirror);
+        room.quad(Vec3::new(0.2, -0.95, -0.3), Vec3::new(0.7, 0.1, 0.0), Vec3::new(0.0, 0.3, -0.6), metal);
+        room.quad(Vec3::new(0.1, -0.2, 0.4), Vec3::new(0.8, 0.0, 0.1), Vec3::Y, veil);
+        room.ball(Vec3::new(-0.3, -0.5, 0.2), 0.45, glass);
         room
     }
 

@@ -186,11 +186,21 @@ fn wrong_scene_files_are_reported_where_they_are_wrong() {
 
 #[test]
 fn materials_that_are_not_rendered_as_asked_are_warned_of() {
-    let text = "(models: [(path: \"square.obj\")], materials: { \"red\": (d: 0.5, tf: (1, 1, 0.5), illum: 7) })";
+    let text = "(models: [(path: \"square.obj\")], materials: { \"red\": (d: 0.5, tf: (1, 1, 0.5), illum: 10) })";
     let loaded = load_text(text, &[]).unwrap_or_else(|errors| panic!("{errors}"));
     let places: Vec<u32> = loaded.warnings.iter().map(|warning| warning.column).collect();
-    assert_eq!(places, [58, 67, 87], "{:?}", loaded.warnings);
-    assert!(loaded.warnings.iter().all(|warning| warning.message.contains("rendered as opaque for now")));
+    assert_eq!(places, [87], "{:?}", loaded.warnings);
+    assert!(loaded.warnings[0].message.contains("shadow catcher"));
+}
+
+#[test]
+fn every_number_of_a_material_can_be_changed() {
+    let text = "(models: [(path: \"square.obj\")], materials: { \"red\": (pr: 0.25, pm: 0.5, d: 0.75, ni: 1.5, tf: 0.5, \
+                illum: 7) })";
+    let loaded = load_text(text, &[]).unwrap_or_else(|errors| panic!("{errors}"));
+    let red = &loaded.description.materials["square:red"];
+    assert_eq!((red.roughness, red.metallic, red.dissolve, red.ni, red.illum), (Some(0.25), 0.5, 0.75, 1.5, 7));
+    assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
 }
 
 #[test]

@@ -10,11 +10,12 @@ use glam::Vec3;
 pub struct Material {
     /// Diffuse reflectance, each channel at least 0.
     pub kd: Vec3,
-    /// Reflectance of the Phong lobe, each channel at least 0.
+    /// Reflectance of the specular lobe, each channel at least 0.
     pub ks: Vec3,
     /// Exponent of the Phong lobe, 0 to 1e5.
     pub ns: f32,
-    /// `Pr`, 0 to 1: the specular lobe is GGX of alpha = roughness^2. Without it, it is the Phong lobe of `ns`.
+    /// `Pr`, 0 to 1: the specular lobe is GGX of alpha = roughness^2. Without it, it is the Phong lobe of `ns`,
+    /// or what `illum` says.
     pub roughness: Option<f32>,
     /// `Pm`, 0 to 1: this part of `kd` is reflected by the specular lobe instead of diffusely.
     pub metallic: f32,
@@ -29,7 +30,7 @@ pub struct Material {
     pub dissolve: f32,
     /// Transmission filter, each channel 0 to 1.
     pub tf: Vec3,
-    /// The file's illumination model, 0 to 10.
+    /// The file's illumination model, 0 to 10: 3, 5 and 8 make the specular lobe a mirror, 4, 6, 7 and 9 make glass.
     pub illum: u32,
     /// Image files of `map_*` statements.
     pub maps: TextureMaps,

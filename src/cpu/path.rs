@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3, UVec2};
 
-use super::bsdf::Reflection;
+use super::bsdf::{Facing, Reflection};
 use super::rng::{sample_1d, sample_2d, sample_key};
 use super::triangles::{HitF64, TriangleSet};
 use crate::layout::trace::{
@@ -30,13 +30,6 @@ pub struct Traced {
     pub rays: u32,
 }
 
-/// A surface at a hit: normals of unit length, on the side of the viewer.
-struct Surface {
-    geometric: DVec3,
-    shading: DVec3,
-    from_behind: bool,
-}
-
 impl<'a> PathScene<'a> {
     /// Without shading normals and without roulette.
     pub fn new(triangles: &[Triangle], materials: &'a [MaterialRecord]) -> Self {
@@ -58,11 +51,11 @@ impl<'a> PathScene<'a> {
                 break;
             };
             let material = &self.materials[hit.triangle.material as usize];
-            let surface = self.surface(&hit, -direction);
-            if !(surface.from_behind && material.flags & MATERIAL_ONE_SIDED != 0) {
+            let facing = self.facing(&hit, -direction);
+            if !(facing.from_behind && material.flags & MATERIAL_ONE_SIDED != 0) {
                 traced.radiance += throughput * material.emission.as_dvec3();
             }
-            let Some((next, weight)) = scatter(material, &surface, -direction, key, bounce) else { break };
+            let Some((next, weight)) = scatter(material, &facing, key, bounce) else { break };
             throughput *= weight;
             if self.roulette && bounce >= ROULETTE_BOUNCE {
                 let survival = throughput.max_element().min(1.0);
@@ -77,7 +70,7 @@ impl<'a> PathScene<'a> {
         traced
     }
 
-    fn surface(&self, hit: &HitF64, wo: DVec3) -> Surface {
+    fn facing(&self, hit: &HitF64, wo: DVec3) -> Facing {
         let [a, b, c] = hit.triangle.corners;
         let raw = (b - a).cross(c - a).normalize();
         let from_behind = raw.dot(wo) < 0.0;
@@ -87,31 +80,16 @@ impl<'a> PathScene<'a> {
             .map(|n| if n.dot(geometric) < 0.0 { -n } else { n })
             .filter(|n| n.dot(wo) > 0.0)
             .unwrap_or(geometric);
-        Surface { geometric, shading, from_behind }
+        Facing { wo, shading, geometric, from_behind }
     }
 }
 
-/// A new direction and f cos / pdf; none where nothing is carried on.
-fn scatter(
-    material: &MaterialRecord,
-    surface: &Surface,
-    wo: DVec3,
-    key: SampleKey,
-    bounce: u32,
-) -> Option<(DVec3, DVec3)> {
+/// A new direction and what it carries of the light from there; none where it is nothing.
+fn scatter(material: &MaterialRecord, facing: &Facing, key: SampleKey, bounce: u32) -> Option<(DVec3, DVec3)> {
     let first = (bounce + 1) * DIMENSIONS_PER_BOUNCE;
-    let reflection = Reflection::from(material);
-    let wi = reflection.sample(
-        surface.shading,
-        wo,
-        sample_1d(key, first + SLOT_LOBE),
-        sample_2d(key, first + SLOT_DIRECTION),
-    );
-    if wi.dot(surface.shading) <= 0.0 || wi.dot(surface.geometric) <= 0.0 {
-        return None;
-    }
-    let at = reflection.evaluate(surface.shading, wo, wi);
-    (at.pdf > 0.0 && at.value.max_element() > 0.0).then(|| (wi, at.value / at.pdf))
+    let pick = sample_1d(key, first + SLOT_LOBE);
+    let drawn = Reflection::from(material).sample(facing, pick, sample_2d(key, first + SLOT_DIRECTION));
+    (drawn.weight.max_element() > 0.0).then_some((drawn.direction, drawn.weight))
 }
 
 /// Unit direction through a point of the whole film, in pixels from its top left corner.

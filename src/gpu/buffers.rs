@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::{Gpu, GpuError};
+use crate::layout::trace::MaterialRecord;
 
 /// The storage buffers that passes name. A buffer grows when more is asked of it, and then loses what it held.
 #[derive(Default)]
@@ -20,8 +21,10 @@ struct Slot {
     generation: u64,
 }
 
-/// WGSL's runtime-sized arrays need room for at least one element: `Node` and `FilmPixel`, the largest, are of this size.
-const SMALLEST: u64 = 64;
+/// WGSL's runtime-sized arrays need room for at least one element; every shared struct but parameters fits.
+const SMALLEST: u64 = 128;
+
+const _: () = assert!(size_of::<MaterialRecord>() as u64 <= SMALLEST, "the largest element of an array");
 
 impl Buffers {
     /// Makes sure that `name` holds at least `bytes`. Returns true if the buffer is a new one, filled with zeros.

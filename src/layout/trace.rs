@@ -9,14 +9,25 @@ gpu_struct! {
         pub kd: Vec3,
         /// Exponent of the Phong lobe, 0 to 1e5.
         pub ns: f32,
-        /// Reflectance of the Phong lobe, linear Rec.709, at least 0.
+        /// Reflectance of the specular lobe, linear Rec.709, at least 0.
         pub ks: Vec3,
-        /// [`MATERIAL_ONE_SIDED`] or 0.
+        /// `MATERIAL_` flags. The specular lobe is Phong's unless one of them says otherwise.
         pub flags: u32,
         /// Emitted radiance, linear Rec.709, at least 0.
         pub emission: Vec3,
-        /// Probability of sampling the Phong lobe: the luminance of `ks` against that of `kd` + `ks`. 0 to 1.
+        /// Probability of sampling the specular lobe instead of the diffuse one: the luminance of `ks` against that of
+        /// `kd` + `ks`. 0 to 1.
         pub glossy: f32,
+        /// What a crossing of the surface multiplies radiance by, linear Rec.709, each channel 0 to 1.
+        pub tf: Vec3,
+        /// Index of refraction behind the surface, against 1 before it; at least 1.
+        pub ni: f32,
+        /// Roughness of the GGX lobe: the root mean square slope of its facets, [`SMOOTHEST_ALPHA`] to 1.
+        pub alpha: f32,
+        /// Part of all light that passes straight through, and the probability of following it: 0 (opaque) to 1.
+        pub transparency: f32,
+        pub pad0: u32,
+        pub pad1: u32,
     }
 
     /// Corner normals of one triangle, in scene order. World space, octahedral, two snorm16 a word; 0 is none.
@@ -129,6 +140,12 @@ gpu_struct! {
 gpu_consts! {
     /// Material flag: light leaves the front side only.
     pub const MATERIAL_ONE_SIDED: u32 = 1;
+    /// Material flag: the specular lobe is GGX.
+    pub const MATERIAL_GGX: u32 = 2;
+    /// Material flag: the specular lobe is a smooth mirror.
+    pub const MATERIAL_MIRROR: u32 = 4;
+    /// Material flag: a smooth dielectric, and nothing else.
+    pub const MATERIAL_DIELECTRIC: u32 = 8;
     /// No material: the environment, or unknown. A whole number that f32 holds.
     pub const NO_MATERIAL: u32 = 0x00ff_ffff;
     /// Flag of [`RadianceSample::info`].
@@ -164,41 +181,113 @@ const _: () = assert!(size_of::<PathState>() <= 96, "a path state is at most 96 
 /// What becomes of materials that reflect more than they receive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EnergyRule {
-    /// `kd` and `ks` are divided by max(1, the largest channel of `kd + ks`).
+    /// The reflectances of both lobes are divided by max(1, the largest channel of their sum).
     Preserve,
     /// Left alone.
     AsWritten,
 }
 
+/// Roughness below which a GGX lobe is taken as a mirror. Unit vectors in f32 err by some 1e-7, which is a thousandth of
+/// such a lobe's width and moves its density by 0.2 %; no film resolves it either.
+pub const SMOOTHEST_ALPHA: f32 = 1e-4;
+
 /// A material's numbers before the energy rule. Linear Rec.709, finite, at least 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reflector {
     pub kd: Vec3,
     pub ks: Vec3,
     /// 0 to 1e5.
     pub ns: f32,
+    /// 0 to 1: the specular lobe is GGX of alpha = roughness^2, or a mirror below [`SMOOTHEST_ALPHA`].
+    pub roughness: Option<f32>,
+    /// 0 to 1: this part of `kd` is reflected by the specular lobe.
+    pub metallic: f32,
+    /// Without `roughness`, the specular lobe is a mirror.
+    pub mirror: bool,
+    /// A smooth dielectric of index `ni`, filtered by `tf`: `kd`, `ks` and `opacity` do not count.
+    pub dielectric: bool,
+    /// At least 1.
+    pub ni: f32,
+    /// At most 1.
+    pub tf: Vec3,
+    /// 0 to 1: the rest of the light passes straight through, filtered by `tf`.
+    pub opacity: f32,
     pub emission: Vec3,
     pub one_sided: bool,
 }
 
+impl Default for Reflector {
+    /// Black and opaque.
+    fn default() -> Self {
+        Self {
+            kd: Vec3::ZERO,
+            ks: Vec3::ZERO,
+            ns: 0.0,
+            roughness: None,
+            metallic: 0.0,
+            mirror: false,
+            dielectric: false,
+            ni: 1.0,
+            tf: Vec3::ONE,
+            opacity: 1.0,
+            emission: Vec3::ZERO,
+            one_sided: false,
+        }
+    }
+}
+
 impl MaterialRecord {
-    /// Applies the energy rule and works out the choice of lobes.
+    /// Applies the energy rule and works out the choice of lobes. What a material has no use for is left at its default,
+    /// so that materials of equal looks are equal records.
     pub fn pack(values: &Reflector, rule: EnergyRule) -> Self {
+        // The sum turns -0.0 into 0.0: the kernel tells negative numbers by their sign.
+        let mut record = Self {
+            emission: values.emission + Vec3::ZERO,
+            flags: if values.one_sided { MATERIAL_ONE_SIDED } else { 0 },
+            tf: Vec3::ONE,
+            ni: 1.0,
+            ..Self::default()
+        };
+        let tf = values.tf.clamp(Vec3::ZERO, Vec3::ONE) + Vec3::ZERO;
+        if values.dielectric {
+            return Self { tf, ni: values.ni.max(1.0), flags: record.flags | MATERIAL_DIELECTRIC, ..record };
+        }
+        record.transparency = 1.0 - values.opacity.clamp(0.0, 1.0);
+        if record.transparency > 0.0 {
+            record.tf = tf;
+        }
+        record.reflect(values, rule)
+    }
+
+    /// The record with its lobes of reflection.
+    fn reflect(mut self, values: &Reflector, rule: EnergyRule) -> Self {
+        let metallic = values.metallic.clamp(0.0, 1.0);
+        let (kd, ks) = (values.kd * (1.0 - metallic), values.ks + values.kd * metallic);
         let scale = match rule {
-            EnergyRule::Preserve => (values.kd + values.ks).max_element().max(1.0),
+            EnergyRule::Preserve => (kd + ks).max_element().max(1.0),
             EnergyRule::AsWritten => 1.0,
         };
-        // The sum turns -0.0 into 0.0: the kernel tells negative numbers by their sign.
-        let [kd, ks, emission] = [values.kd / scale, values.ks / scale, values.emission].map(|v| v + Vec3::ZERO);
-        let (diffuse, glossy) = (luminance(kd), luminance(ks));
-        Self {
-            kd,
-            ns: values.ns.clamp(0.0, 1e5),
-            ks,
-            flags: if values.one_sided { MATERIAL_ONE_SIDED } else { 0 },
-            emission,
-            glossy: if glossy > 0.0 { glossy / (diffuse + glossy) } else { 0.0 },
+        [self.kd, self.ks] = [kd / scale, ks / scale].map(|v| v + Vec3::ZERO);
+        let (diffuse, specular) = (luminance(self.kd), luminance(self.ks));
+        if specular <= 0.0 {
+            return Self { ns: values.ns.clamp(0.0, 1e5), ..self };
         }
+        self.glossy = specular / (diffuse + specular);
+        match values.roughness.map(|roughness| roughness * roughness) {
+            Some(alpha) if alpha >= SMOOTHEST_ALPHA => {
+                self.alpha = alpha.min(1.0);
+                self.flags |= MATERIAL_GGX;
+            }
+            Some(_) => self.flags |= MATERIAL_MIRROR,
+            None if values.mirror => self.flags |= MATERIAL_MIRROR,
+            None => self.ns = values.ns.clamp(0.0, 1e5),
+        }
+        self
+    }
+
+    /// Whether the specular lobe is Phong's.
+    pub fn has_phong(&self) -> bool {
+        self.glossy > 0.0 && self.flags & (MATERIAL_GGX | MATERIAL_MIRROR) == 0
     }
 }
 

@@ -4,7 +4,9 @@ use glam::{DVec3, UVec2, Vec3};
 
 use super::{Binding, Pass, Recording, Size};
 use crate::layout::film::largest_sample;
-use crate::layout::trace::{MaterialRecord, RadianceSample, TraceParams};
+use crate::layout::trace::{
+    MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MaterialRecord, RadianceSample, TraceParams,
+};
 
 /// Integrators `Path` and `Bsdf`: with and without asking lights directly.
 pub static PATH: Pass = Pass {
@@ -80,16 +82,21 @@ impl Needs<'_> {
     /// The features to compile, sorted; what a scene lacks is not compiled.
     pub fn features(&self) -> Vec<&'static str> {
         let any = |test: fn(&MaterialRecord) -> bool| self.materials.iter().any(test);
+        let flagged = |flag: u32| self.materials.iter().any(|m| m.flags & flag != 0);
         let wanted = [
+            ("dielectric", flagged(MATERIAL_DIELECTRIC)),
             ("emitters", any(|m| m.emission.max_element() > 0.0)),
             ("environment", self.environment.max_element() > 0.0),
-            ("glossy", any(|m| m.glossy > 0.0)),
+            ("ggx", flagged(MATERIAL_GGX)),
+            ("glossy", any(MaterialRecord::has_phong)),
             ("lights", self.lights),
+            ("mirror", flagged(MATERIAL_MIRROR)),
             ("normals", self.normals),
             ("roulette", self.roulette),
             // The two exclude each other.
             ("sky", self.sky && !self.sky_light),
             ("sky_light", self.sky_light),
+            ("thin", any(|m| m.transparency > 0.0)),
             ("tree", self.tree),
         ];
         wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()

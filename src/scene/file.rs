@@ -53,6 +53,8 @@ pub struct MaterialEdit {
     kd: Option<Vec3>,
     ks: Option<Vec3>,
     ns: Option<f32>,
+    pr: Option<f32>,
+    pm: Option<f32>,
     ke: Option<Vec3>,
     one_sided: Option<bool>,
     ni: Option<f32>,
@@ -70,6 +72,8 @@ impl MaterialEdit {
         set(&mut material.emission, self.ke);
         set(&mut material.tf, self.tf);
         material.ns = self.ns.unwrap_or(material.ns);
+        material.roughness = self.pr.or(material.roughness);
+        material.metallic = self.pm.unwrap_or(material.metallic);
         material.ni = self.ni.unwrap_or(material.ni);
         material.dissolve = self.d.unwrap_or(material.dissolve);
         material.one_sided = self.one_sided.unwrap_or(material.one_sided);
@@ -293,6 +297,8 @@ fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<MaterialEdi
         kd: fields.read("kd", |node| node.colour(1e3)),
         ks: fields.read("ks", |node| node.colour(1e3)),
         ns: fields.read("ns", |node| node.number(0.0, 1e5)).map(|value| value as f32),
+        pr: fields.read("pr", |node| node.number(0.0, 1.0)).map(|value| value as f32),
+        pm: fields.read("pm", |node| node.number(0.0, 1.0)).map(|value| value as f32),
         ke: fields.read("ke", |node| node.colour(1e6)),
         one_sided: fields.read("one_sided", Node::boolean),
         ni: fields.read("ni", |node| node.number(1.0, 100.0)).map(|value| value as f32),
@@ -300,16 +306,9 @@ fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<MaterialEdi
         tf: fields.read("tf", |node| node.colour(1.0)),
         illum: fields.read("illum", |node| node.integer(0, 10)),
     };
-    let asks = [
-        ("d", edit.d.is_some_and(|d| d < 1.0)),
-        ("tf", edit.tf.is_some_and(|tf| tf != Vec3::ONE)),
-        ("illum", edit.illum.is_some_and(|illum| matches!(illum, 4..=7 | 9 | 10))),
-    ];
-    for (name, asked) in asks {
-        if let Some(node) = fields.get(name).filter(|_| asked) {
-            let message = format!("{}: this material is rendered as opaque for now", fields.path_of(name));
-            reader.push(node.text.at(Severity::Warning, node.source, message));
-        }
+    if let Some(node) = fields.get("illum").filter(|_| edit.illum == Some(10)) {
+        let message = format!("{}: a shadow catcher is rendered as a surface for now", fields.path_of("illum"));
+        reader.push(node.text.at(Severity::Warning, node.source, message));
     }
     fields.finish().then_some(edit)
 }

@@ -19,7 +19,7 @@ use super::module::{self, Module};
 static EMBEDDED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 
 /// Features of a module up to which every set of them is listed.
-const MOST_NAMED: usize = 6;
+const MOST_NAMED: usize = 5;
 
 /// A set of modules that import each other.
 #[derive(Clone)]
@@ -84,16 +84,18 @@ impl Library {
         Ok(named)
     }
 
-    /// Every set of features that makes a difference to a module. Where its closure's conditions name more than six, only
-    /// each by itself, none, and all.
+    /// The sets of features that make a difference to a module: all of them, or where its closure's conditions name more
+    /// than five, so many that every two features meet on and on, on and off, off and off: none, each by itself, each
+    /// pair, all but one, and all.
     pub fn feature_sets(&self, module: &str) -> Result<Vec<Features>, ShaderError> {
         let named: Vec<String> = self.link(module, &self.features()?)?.features.into_iter().collect();
-        let chosen = |set: usize| (0..named.len()).filter(move |bit| set >> bit & 1 == 1).map(|bit| named[bit].clone());
-        if named.len() <= MOST_NAMED {
-            return Ok((0..1 << named.len()).map(|set| chosen(set).collect()).collect());
-        }
-        let singles = named.iter().map(|name| Features::from([name.clone()]));
-        Ok(singles.chain([Features::new(), named.iter().cloned().collect()]).collect())
+        let count = named.len();
+        let listed = |set: &u64| {
+            let on = set.count_ones() as usize;
+            count <= MOST_NAMED || on <= 2 || on + 1 >= count
+        };
+        let chosen = |set: u64| (0..count).filter(|bit| set >> bit & 1 == 1).map(|bit| named[bit].clone()).collect();
+        Ok((0..1 << count).filter(listed).map(chosen).collect())
     }
 
     /// The text of a module as it was read; None for one that is unknown or can't be read.

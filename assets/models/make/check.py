@@ -13,6 +13,7 @@ MODELS = Path(__file__).resolve().parent.parent
 # Objects that enclose a volume. The pot's shell is one closed surface of five objects.
 CLOSED = {
     "cornell-box.obj": [("tall_box",), ("ball",)],
+    "glass.obj": [("mirror_block",), ("glass_ball",), ("gold_ball",)],
     "teapot.obj": [("lid", "gap", "rim", "body", "bottom")],
 }
 

@@ -22,7 +22,6 @@ BOX_TURN = 30.0
 
 BALL_CENTRE = (0.4, -0.58, 0.28)
 BALL_RADIUS = 0.42
-# 20 faces of an icosahedron, each cut into 14 x 14.
 BALL_CUTS = 14
 
 
@@ -43,15 +42,15 @@ def room(obj):
     quad(obj, "light", "ceiling_light", (-h, y, h), (-h, y, -h), (h, y, -h), (h, y, h))
 
 
-def tall_box(obj):
-    """Standing on the floor, closed below too."""
-    turn = radians(BOX_TURN)
+def box(obj, name, centre, half, height, degrees):
+    """Standing on its base's centre, turned about it, closed below too."""
+    turn = radians(degrees)
     ring = []
     for x, z in ((-1, 1), (1, 1), (1, -1), (-1, -1)):
-        x, z = x * BOX_HALF, z * BOX_HALF
-        ring.append(add(BOX_CENTRE, (x * cos(turn) + z * sin(turn), 0, z * cos(turn) - x * sin(turn))))
-    top = [add(p, (0, BOX_HEIGHT, 0)) for p in ring]
-    obj.object("tall_box", "tall_box")
+        x, z = x * half, z * half
+        ring.append(add(centre, (x * cos(turn) + z * sin(turn), 0, z * cos(turn) - x * sin(turn))))
+    top = [add(p, (0, height, 0)) for p in ring]
+    obj.object(name, name)
     faces = [(ring[k], ring[(k + 1) % 4], top[(k + 1) % 4], top[k]) for k in range(4)]
     faces += [tuple(top), tuple(reversed(ring))]
     for a, b, c, d in faces:
@@ -83,10 +82,9 @@ def icosahedron():
     return faces
 
 
-def ball(obj):
-    """A geodesic sphere with the sphere's own normals."""
-    obj.object("ball", "ball")
-    n = BALL_CUTS
+def ball(obj, name, centre, radius, n):
+    """A geodesic sphere with the sphere's own normals: 20 faces of an icosahedron, each cut into n x n."""
+    obj.object(name, name)
 
     def corner(face, i, j):
         weights = (n - i - j, i, j)
@@ -94,7 +92,7 @@ def ball(obj):
 
     def emit(face, *places):
         normals = [corner(face, i, j) for i, j in places]
-        obj.face([add(BALL_CENTRE, mul(v, BALL_RADIUS)) for v in normals], normals)
+        obj.face([add(centre, mul(v, radius)) for v in normals], normals)
 
     for face in icosahedron():
         for i in range(n):
@@ -107,8 +105,8 @@ def ball(obj):
 def main():
     obj = Obj(["Lucerna's Cornell box, made by make/cornell_box.py", "MIT OR Apache-2.0"], "cornell-box.mtl")
     room(obj)
-    tall_box(obj)
-    ball(obj)
+    box(obj, "tall_box", BOX_CENTRE, BOX_HALF, BOX_HEIGHT, BOX_TURN)
+    ball(obj, "ball", BALL_CENTRE, BALL_RADIUS, BALL_CUTS)
     obj.write(Path(__file__).resolve().parent.parent / "cornell-box.obj")
 
 

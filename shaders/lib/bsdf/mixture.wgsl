@@ -1,9 +1,16 @@
-// A surface's BSDF: Lambert, and with feature `glossy` a Phong lobe beside it. The lobe is chosen by luminance, the pdf is
-// that of the whole mixture, and directions below the surface carry nothing.
+// A surface's BSDF. Beside Lambert's it has one specular lobe, of Phong (feature `glossy`), GGX (`ggx`) or a mirror
+// (`mirror`), chosen by luminance; part of the light may pass straight through (`thin`); or it is a smooth dielectric and
+// nothing else (`dielectric`). Lobes that have density are one mixture; below the surface they carry nothing.
 
 import package::gen::{MaterialRecord};
+@if(dielectric) import package::gen::{MATERIAL_DIELECTRIC};
+@if(ggx) import package::gen::{MATERIAL_GGX};
+@if(mirror) import package::gen::{MATERIAL_MIRROR};
 @if(glossy) import package::lib::math::{cos_power};
+@if(dielectric) import package::lib::bsdf::dielectric::{fresnel, interface_of, refracted};
+@if(ggx) import package::lib::bsdf::ggx::{ggx_evaluate, ggx_sample};
 import package::lib::bsdf::lambert::{lambert_pdf, lambert_value};
+@if(dielectric || glossy || mirror) import package::lib::bsdf::mirror::{reflected};
 @if(glossy) import package::lib::bsdf::phong::{phong_pdf, phong_value};
 import package::lib::sampling::{cosine_angle, direction_around};
 @if(glossy) import package::lib::sampling::{phong_angle};
@@ -23,7 +30,7 @@ struct BsdfSample {
     direction: vec3<f32>,
     // By solid angle, of the whole mixture; 0 where the direction is the only one that its lobe has.
     pdf: f32,
-    // f * cos / pdf; 0 where nothing is carried.
+    // f * cos / pdf, or such a lobe's value by its probability; 0 where nothing is carried.
     weight: vec3<f32>,
 }
 
@@ -34,45 +41,118 @@ struct BsdfValue {
     pdf: f32,
 }
 
+fn is_above(facing: Facing, wi: vec3<f32>) -> bool {
+    return dot(wi, facing.shading) > 0.0 && dot(wi, facing.geometric) > 0.0;
+}
+
 // The mixture in a direction `wi`, but for lobes of a single direction.
 fn mixture_evaluate(m: MaterialRecord, facing: Facing, wi: vec3<f32>) -> BsdfValue {
-    let cos_theta = dot(wi, facing.shading);
-    if (cos_theta <= 0.0 || dot(wi, facing.geometric) <= 0.0) {
+    var carries = is_above(facing, wi);
+    @if(dielectric) {
+        carries = carries && (m.flags & MATERIAL_DIELECTRIC) == 0u;
+    }
+    if (!carries) {
         return BsdfValue(vec3<f32>(0.0), 0.0);
     }
-    @if(!glossy) {
-        return BsdfValue(lambert_value(m.kd, cos_theta), lambert_pdf(cos_theta));
+    let cos_theta = dot(wi, facing.shading);
+    var value = lambert_value(m.kd, cos_theta);
+    var pdf = lambert_pdf(cos_theta);
+    @if(ggx || glossy || mirror) {
+        pdf *= 1.0 - m.glossy;
     }
     @if(glossy) {
-        let mirror = 2.0 * dot(facing.wo, facing.shading) * facing.shading - facing.wo;
-        let lobe = cos_power(mirror, wi, m.ns);
-        return BsdfValue(
-            lambert_value(m.kd, cos_theta) + phong_value(m.ks, m.ns, lobe, cos_theta),
-            (1.0 - m.glossy) * lambert_pdf(cos_theta) + m.glossy * phong_pdf(m.ns, lobe),
-        );
+        if (is_phong(m)) {
+            let lobe = cos_power(reflected(facing.wo, facing.shading), wi, m.ns);
+            value += phong_value(m.ks, m.ns, lobe, cos_theta);
+            pdf += m.glossy * phong_pdf(m.ns, lobe);
+        }
     }
+    @if(ggx) {
+        if ((m.flags & MATERIAL_GGX) != 0u) {
+            let at = ggx_evaluate(m.alpha, facing.shading, facing.wo, wi);
+            value += m.ks * at.value;
+            pdf += m.glossy * at.pdf;
+        }
+    }
+    @if(thin) {
+        value *= 1.0 - m.transparency;
+        pdf *= 1.0 - m.transparency;
+    }
+    return BsdfValue(value, pdf);
+}
+
+// Whether the specular lobe, if there is one, is Phong's.
+@if(glossy)
+fn is_phong(m: MaterialRecord) -> bool {
+    var phong = true;
+    @if(ggx) {
+        phong = phong && (m.flags & MATERIAL_GGX) == 0u;
+    }
+    @if(mirror) {
+        phong = phong && (m.flags & MATERIAL_MIRROR) == 0u;
+    }
+    return phong;
 }
 
 // `pick` chooses the lobe, `u` the direction; all in [0, 1).
 fn mixture_sample(m: MaterialRecord, facing: Facing, pick: f32, u: vec2<f32>) -> BsdfSample {
-    @if(!glossy) {
-        let wi = direction_around(facing.shading, cosine_angle(u.x), u.y);
-        let cos_theta = dot(wi, facing.shading);
-        // Cosine sampling of a Lambert surface: f cos / pdf is kd.
-        let weight = select(vec3<f32>(0.0), m.kd, cos_theta > 0.0 && dot(wi, facing.geometric) > 0.0);
-        return BsdfSample(wi, lambert_pdf(cos_theta), weight);
-    }
-    @if(glossy) {
-        var axis = facing.shading;
-        var angle = cosine_angle(u.x);
-        if (pick < m.glossy) {
-            axis = 2.0 * dot(facing.wo, facing.shading) * facing.shading - facing.wo;
-            angle = phong_angle(m.ns, u.x);
+    var chosen = pick;
+    @if(thin) {
+        if (pick < m.transparency) {
+            return BsdfSample(-facing.wo, 0.0, m.tf);
         }
-        let wi = direction_around(axis, angle, u.y);
-        let at = mixture_evaluate(m, facing, wi);
-        // A pdf of 0 is left to a lobe sampled at 90 degrees and rounded beyond: it carries nothing.
-        let weight = select(vec3<f32>(0.0), at.value / at.pdf, at.pdf > 0.0);
-        return BsdfSample(wi, at.pdf, weight);
+        // Below 1 however the division is rounded, as all that follows expects.
+        chosen = min((pick - m.transparency) / (1.0 - m.transparency), 0x1.fffffep-1);
     }
+    @if(dielectric) {
+        if ((m.flags & MATERIAL_DIELECTRIC) != 0u) {
+            return dielectric_sample(m, facing, chosen);
+        }
+    }
+    @if(mirror) {
+        if ((m.flags & MATERIAL_MIRROR) != 0u && chosen < m.glossy) {
+            let wi = reflected(facing.wo, facing.shading);
+            return BsdfSample(wi, 0.0, select(vec3<f32>(0.0), m.ks / m.glossy, is_above(facing, wi)));
+        }
+    }
+    return density_sample(m, facing, chosen, u);
+}
+
+// A direction of the lobes that have density.
+fn density_sample(m: MaterialRecord, facing: Facing, pick: f32, u: vec2<f32>) -> BsdfSample {
+    var wi = direction_around(facing.shading, cosine_angle(u.x), u.y);
+    @if(glossy) {
+        if (pick < m.glossy && is_phong(m)) {
+            wi = direction_around(reflected(facing.wo, facing.shading), phong_angle(m.ns, u.x), u.y);
+        }
+    }
+    @if(ggx) {
+        if (pick < m.glossy && (m.flags & MATERIAL_GGX) != 0u) {
+            wi = ggx_sample(m.alpha, facing.shading, facing.wo, u);
+        }
+    }
+    let at = mixture_evaluate(m, facing, wi);
+    // A pdf of 0 is left to a direction below the surface: it carries nothing.
+    var weight = select(vec3<f32>(0.0), at.value / at.pdf, at.pdf > 0.0);
+    @if(!(ggx || glossy || mirror)) {
+        // Cosine sampling of a Lambert surface: f cos / pdf is kd, without a rounding.
+        weight = select(vec3<f32>(0.0), m.kd, at.pdf > 0.0);
+    }
+    return BsdfSample(wi, at.pdf, weight);
+}
+
+// Reflected or refracted by Fresnel's probability, which leaves a weight of 1, but for the filter, and for radiance being
+// squeezed into or out of a narrower cone (Veach 1997, 5.2).
+@if(dielectric)
+fn dielectric_sample(m: MaterialRecord, facing: Facing, pick: f32) -> BsdfSample {
+    let at = interface_of(m.ni, facing.from_behind != 0u);
+    let split = fresnel(at, dot(facing.wo, facing.shading));
+    if (pick < split.reflectance) {
+        let wi = reflected(facing.wo, facing.shading);
+        return BsdfSample(wi, 0.0, vec3<f32>(select(0.0, 1.0, is_above(facing, wi))));
+    }
+    let wi = refracted(at, facing.wo, facing.shading, split.cos_transmitted);
+    let beyond = dot(wi, facing.shading) < 0.0 && dot(wi, facing.geometric) < 0.0;
+    let squeeze = (at.a / at.b) * (at.a / at.b);
+    return BsdfSample(wi, 0.0, select(vec3<f32>(0.0), squeeze * m.tf, beyond));
 }

@@ -58,6 +58,8 @@ pub struct Draft {
     ns: Option<f32>,
     ke: Option<(Vec3, Diagnostic)>,
     le: Option<(Vec3, Diagnostic)>,
+    pr: Option<f32>,
+    pm: Option<f32>,
     ni: Option<f32>,
     d: Option<(f32, Diagnostic)>,
     tr: Option<(f32, Diagnostic)>,
@@ -78,6 +80,8 @@ impl Draft {
             ns: None,
             ke: None,
             le: None,
+            pr: None,
+            pm: None,
             ni: None,
             d: None,
             tr: None,
@@ -97,6 +101,8 @@ impl Draft {
             "ns" => self.ns = scalar(line, key, rest, 0.0, SHARPEST, tally).or(self.ns),
             "ke" => replace(&mut self.ke, colour(line, key, rest, BRIGHTEST, tally), place),
             "le" => replace(&mut self.le, colour(line, key, rest, BRIGHTEST, tally), place),
+            "pr" => self.pr = scalar(line, key, rest, 0.0, 1.0, tally).or(self.pr),
+            "pm" => self.pm = scalar(line, key, rest, 0.0, 1.0, tally).or(self.pm),
             "ni" => self.ni = scalar(line, key, rest, 1.0, 100.0, tally).or(self.ni),
             "d" => self.read_dissolve(line, key, rest, tally),
             "tr" => replace(&mut self.tr, scalar(line, key, rest, 0.0, 1.0, tally), place),
@@ -108,8 +114,8 @@ impl Draft {
             "map_kd" | "map_ks" | "map_ns" | "map_ke" | "map_d" | "map_bump" | "bump" => {
                 self.read_map(line, key, rest, folder, tally);
             }
-            "pr" | "pm" | "ps" | "pc" | "pcr" | "aniso" | "anisor" | "norm" | "disp" | "decal" | "refl" | "map_pr"
-            | "map_pm" | "map_ps" | "map_refl" | "map_aat" => {
+            "ps" | "pc" | "pcr" | "aniso" | "anisor" | "norm" | "disp" | "decal" | "refl" | "map_pr" | "map_pm"
+            | "map_ps" | "map_refl" | "map_aat" => {
                 tally.push("statements not honoured yet", || {
                     line.warning(key, format!("`{key}` is not honoured yet: it is left out"))
                 });
@@ -164,7 +170,8 @@ impl Draft {
     pub fn finish(self, tally: &mut Tally) -> (String, Material) {
         let default = Material::default();
         let bare = self.kd.is_none() && self.ks.is_none() && self.ke.is_none() && self.le.is_none();
-        if bare && self.maps == TextureMaps::default() {
+        let glass = matches!(self.illum, Some((4 | 6 | 7 | 9, _)));
+        if bare && !glass && self.maps == TextureMaps::default() {
             self.warn(
                 tally,
                 &self.place,
@@ -183,8 +190,8 @@ impl Draft {
             kd: self.kd.unwrap_or(missing_kd),
             ks: self.ks.unwrap_or(Vec3::ZERO),
             ns: self.ns.unwrap_or(default.ns),
-            roughness: default.roughness,
-            metallic: default.metallic,
+            roughness: self.pr,
+            metallic: self.pm.unwrap_or(default.metallic),
             emission: self.emission(tally),
             one_sided: false,
             ni: self.ni.unwrap_or(default.ni),
@@ -243,45 +250,26 @@ impl Draft {
         }
     }
 
-    /// One warning for each thing that this material asks for and the renderer can't do yet.
+    /// One warning for each thing that this material asks for and does not get.
     fn warn_of_unrendered(&self, tally: &mut Tally) {
-        let dissolve = match (&self.d, &self.tr) {
-            (Some((d, place)), _) => Some((*d, place)),
-            (None, Some((tr, place))) => Some((1.0 - tr, place)),
-            (None, None) => None,
-        };
-        if let Some((_, place)) = dissolve.filter(|(d, _)| *d < 1.0) {
-            self.warn(tally, place, "transparency", "is transparent: it is rendered as opaque for now");
-        }
-        if let Some((_, place)) = self.tf.as_ref().filter(|(tf, _)| *tf != Vec3::ONE) {
-            self.warn(
-                tally,
+        let lit = |colour: Option<Vec3>| colour.is_some_and(|colour| colour != Vec3::ZERO);
+        let warning = match &self.illum {
+            Some((model @ (4 | 6 | 7 | 9), place)) if lit(self.kd) || lit(self.ks) => Some((
                 place,
-                "transmission filters",
-                "filters what passes through it: it is rendered as opaque for now",
-            );
-        }
-        match &self.illum {
-            Some((model @ (4 | 5 | 6 | 7 | 9), place)) => {
-                let message = format!(
-                    "asks for glass or Fresnel reflection (illum {model}): it is rendered as opaque, with its Phong lobe, for now"
-                );
-                self.warn(tally, place, "illumination models", &message);
-            }
-            Some((10, place)) => {
-                self.warn(
-                    tally,
-                    place,
-                    "illumination models",
-                    "asks for an invisible shadow catcher (illum 10): it is rendered as a surface for now",
-                );
-            }
-            Some((model @ (0 | 1), place)) if self.ks.is_some_and(|ks| ks != Vec3::ZERO) => {
-                let message =
-                    format!("has `illum {model}`, which is without highlights, and yet `Ks`: `Ks` is rendered");
-                self.warn(tally, place, "illumination models", &message);
-            }
-            _ => {}
+                format!("is glass (illum {model}), which has no colour of its own: `Kd` and `Ks` are not rendered"),
+            )),
+            Some((10, place)) => Some((
+                place,
+                "asks for an invisible shadow catcher (illum 10): it is rendered as a surface for now".to_owned(),
+            )),
+            Some((model @ (0 | 1), place)) if lit(self.ks) => Some((
+                place,
+                format!("has `illum {model}`, which is without highlights, and yet `Ks`: `Ks` is rendered"),
+            )),
+            _ => None,
+        };
+        if let Some((place, message)) = warning {
+            self.warn(tally, place, "illumination models", &message);
         }
         if let Some(place) = &self.map {
             self.warn(tally, place, "textures", "has textures, which are not rendered yet: its plain colours are");

@@ -57,6 +57,13 @@ fn pack(material: &Material, rule: EnergyRule) -> MaterialRecord {
         kd: material.kd,
         ks: material.ks,
         ns: material.ns,
+        roughness: material.roughness,
+        metallic: material.metallic,
+        mirror: matches!(material.illum, 3 | 5 | 8),
+        dielectric: matches!(material.illum, 4 | 6 | 7 | 9),
+        ni: material.ni,
+        tf: material.tf,
+        opacity: material.dissolve,
         emission: material.emission,
         one_sided: material.one_sided,
     };

@@ -1,0 +1,194 @@
+//! BSDFs in f64: the oracle of `lib/bsdf` and `lib/sampling`. Directions are unit vectors that point away from the surface.
+
+pub mod dielectric;
+pub mod ggx;
+
+use std::f64::consts::{PI, TAU};
+
+use glam::{DVec2, DVec3};
+
+use self::dielectric::Interface;
+use crate::layout::trace::{MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MaterialRecord};
+
+/// A material's numbers in f64.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reflection {
+    pub kd: DVec3,
+    pub ks: DVec3,
+    /// What `ks` is the reflectance of.
+    pub specular: Specular,
+    /// Probability of sampling the specular lobe instead of the diffuse one.
+    pub glossy: f64,
+    /// Part of the light that passes straight through, and the probability of following it.
+    pub transparency: f64,
+    /// What light that passes is multiplied by.
+    pub tf: DVec3,
+    /// Index of a smooth dielectric, which is nothing else.
+    pub dielectric: Option<f64>,
+}
+
+/// A specular lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Specular {
+    /// Of this exponent.
+    Phong(f64),
+    /// Of this alpha.
+    Ggx(f64),
+    Mirror,
+}
+
+/// How a surface is seen: unit vectors, both normals on the side of `wo`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facing {
+    pub wo: DVec3,
+    pub shading: DVec3,
+    pub geometric: DVec3,
+    /// The viewer is behind the surface, by its winding.
+    pub from_behind: bool,
+}
+
+/// A BSDF in one pair of directions, but for lobes of a single direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BsdfValue {
+    /// f times the cosine of the incident direction.
+    pub value: DVec3,
+    /// Of the whole mixture, by solid angle. Below the surface there is density, and nothing is carried.
+    pub pdf: f64,
+}
+
+/// A direction drawn from a BSDF.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BsdfSample {
+    pub direction: DVec3,
+    /// Of the whole mixture, by solid angle; 0 where the direction is the only one that its lobe has.
+    pub pdf: f64,
+    /// f cos / pdf, or such a lobe's value by its probability; 0 where nothing is carried.
+    pub weight: DVec3,
+}
+
+impl From<&MaterialRecord> for Reflection {
+    fn from(record: &MaterialRecord) -> Self {
+        let MaterialRecord { kd, ks, ns, glossy, flags, tf, ni, alpha, transparency, .. } = *record;
+        let specular = match () {
+            () if flags & MATERIAL_GGX != 0 => Specular::Ggx(f64::from(alpha)),
+            () if flags & MATERIAL_MIRROR != 0 => Specular::Mirror,
+            () => Specular::Phong(f64::from(ns)),
+        };
+        Self {
+            kd: kd.as_dvec3(),
+            ks: ks.as_dvec3(),
+            specular,
+            glossy: f64::from(glossy),
+            transparency: f64::from(transparency),
+            tf: tf.as_dvec3(),
+            dielectric: (flags & MATERIAL_DIELECTRIC != 0).then_some(f64::from(ni)),
+        }
+    }
+}
+
+impl Facing {
+    /// Of a flat surface, from its front.
+    pub fn flat(n: DVec3, wo: DVec3) -> Self {
+        Self { wo, shading: n, geometric: n, from_behind: false }
+    }
+
+    fn is_above(&self, wi: DVec3) -> bool {
+        wi.dot(self.shading) > 0.0 && wi.dot(self.geometric) > 0.0
+    }
+}
+
+impl Reflection {
+    /// f times the cosine of `wi` about the shading normal `n`.
+    pub fn evaluate(&self, n: DVec3, wo: DVec3, wi: DVec3) -> BsdfValue {
+        if self.dielectric.is_some() {
+            return BsdfValue { value: DVec3::ZERO, pdf: 0.0 };
+        }
+        let cos_theta = n.dot(wi);
+        let (glossy, pdf) = match self.specular {
+            Specular::Phong(ns) => {
+                let lobe = cos_power(mirror(n, wo), wi, ns) / TAU;
+                ((ns + 2.0) * lobe * cos_theta, (ns + 1.0) * lobe)
+            }
+            Specular::Ggx(alpha) => (ggx::value(alpha, n, wo, wi), ggx::pdf(alpha, n, wo, wi)),
+            Specular::Mirror => (0.0, 0.0),
+        };
+        let value = if cos_theta > 0.0 { self.kd * (cos_theta / PI) + self.ks * glossy } else { DVec3::ZERO };
+        let pdf = (1.0 - self.glossy) * cos_theta.max(0.0) / PI + self.glossy * pdf;
+        let opacity = 1.0 - self.transparency;
+        BsdfValue { value: opacity * value, pdf: opacity * pdf }
+    }
+
+    /// A direction: `pick` chooses the lobe, `u` the direction in it, all in [0, 1).
+    pub fn sample(&self, facing: &Facing, pick: f64, u: DVec2) -> BsdfSample {
+        let Facing { wo, shading: n, .. } = *facing;
+        if pick < self.transparency {
+            return BsdfSample { direction: -wo, pdf: 0.0, weight: self.tf };
+        }
+        let pick = (pick - self.transparency) / (1.0 - self.transparency);
+        if let Some(ni) = self.dielectric {
+            return self.sample_dielectric(&Interface::new(ni, facing.from_behind), facing, pick);
+        }
+        let specular = pick < self.glossy;
+        let direction = match self.specular {
+            Specular::Phong(ns) if specular => sample_phong(mirror(n, wo), ns, u),
+            Specular::Ggx(alpha) if specular => ggx::sample(alpha, n, wo, u),
+            Specular::Mirror if specular => mirror(n, wo),
+            _ => sample_cosine(n, u),
+        };
+        let above = facing.is_above(direction);
+        if specular && self.specular == Specular::Mirror {
+            return BsdfSample { direction, pdf: 0.0, weight: if above { self.ks / self.glossy } else { DVec3::ZERO } };
+        }
+        let BsdfValue { value, pdf } = self.evaluate(n, wo, direction);
+        BsdfSample { direction, pdf, weight: if above && pdf > 0.0 { value / pdf } else { DVec3::ZERO } }
+    }
+
+    fn sample_dielectric(&self, at: &Interface, facing: &Facing, pick: f64) -> BsdfSample {
+        let Facing { wo, shading: n, geometric, .. } = *facing;
+        let reflected = mirror(n, wo);
+        let passed = at.refracted(n, wo).filter(|_| pick >= at.reflectance(n.dot(wo)));
+        let (direction, value, carried) = match passed {
+            Some(wi) => (wi, self.tf * at.squeeze(), wi.dot(n) < 0.0 && wi.dot(geometric) < 0.0),
+            None => (reflected, DVec3::ONE, facing.is_above(reflected)),
+        };
+        BsdfSample { direction, pdf: 0.0, weight: if carried { value } else { DVec3::ZERO } }
+    }
+}
+
+/// `wo` reflected about `n`.
+pub fn mirror(n: DVec3, wo: DVec3) -> DVec3 {
+    2.0 * wo.dot(n) * n - wo
+}
+
+/// cos(alpha)^n, 0 from 90 degrees on.
+pub fn cos_power(a: DVec3, b: DVec3, n: f64) -> f64 {
+    let one_minus_cos = 0.5 * (a - b).length_squared();
+    if one_minus_cos < 1.0 { (n * (-one_minus_cos).ln_1p()).exp() } else { 0.0 }
+}
+
+/// Cosine-weighted about `n`.
+pub fn sample_cosine(n: DVec3, u: DVec2) -> DVec3 {
+    around(n, u.y, u.x.sqrt(), (1.0 - u.x).sqrt())
+}
+
+/// Phong lobe about `r`: cos(alpha) = (1 - u)^(1 / (n + 1)).
+pub fn sample_phong(r: DVec3, n: f64, u: DVec2) -> DVec3 {
+    let one_minus_cos = -((-u.x).ln_1p() / (n + 1.0)).exp_m1();
+    let sin = (one_minus_cos * (2.0 - one_minus_cos)).max(0.0).sqrt();
+    around(r, u.y, sin, 1.0 - one_minus_cos)
+}
+
+/// The direction at `turn` turns about unit `n`.
+fn around(n: DVec3, turn: f64, sin: f64, cos: f64) -> DVec3 {
+    let (t, b) = frame(n);
+    let (sin_turn, cos_turn) = (turn * TAU).sin_cos();
+    (t * (sin * cos_turn) + b * (sin * sin_turn) + n * cos).normalize()
+}
+
+/// Two unit vectors that make a right-handed frame with unit `n` (Duff et al., JCGT 6(1), 2017).
+fn frame(n: DVec3) -> (DVec3, DVec3) {
+    let s = if n.z >= 0.0 { 1.0 } else { -1.0 };
+    let a = -1.0 / (s + n.z);
+    let b = n.x * n.y * a;
+    (DVec3::new(1.0 + s * n.x * n.x * a, s * b, -s * n.x), DVec3::new(b, s + n.y * n.y * a, -n.y))
+}

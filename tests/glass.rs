@@ -1,0 +1,109 @@
+//! Rooms with glass, mirrors, rough metal and veils.
+
+use glam::{DVec3, UVec2, Vec3};
+use lucerna::gpu::Runtime;
+use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, TraceParams};
+use lucerna::shader::Library;
+
+use crate::path::{against_twin, inside, samples, small};
+use crate::rooms::{Room, matte};
+use crate::support;
+
+fn glass(ni: f32) -> MaterialRecord {
+    MaterialRecord::pack(&Reflector { dielectric: true, ni, ..Reflector::default() }, EnergyRule::Preserve)
+}
+
+fn traced(room: &Room, params: &TraceParams) -> Vec<Vec3> {
+    let mut rig = support::rig();
+    room.load(&mut rig);
+    samples(&mut rig, params).iter().map(|sample| sample.rgb).collect()
+}
+
+#[test]
+fn equals_the_f64_twin() {
+    let room = Room::glass();
+    against_twin(&room, Library::shipped(), &small(&room)).unwrap();
+}
+
+#[test]
+fn an_error_of_one_percent_is_seen() {
+    let room = Room::glass();
+    for (module, right, wrong) in [
+        ("mixture", "squeeze * m.tf, beyond", "1.01 * squeeze * m.tf, beyond"),
+        ("mixture", "m.ks / m.glossy, is_above", "0.99 * m.ks / m.glossy, is_above"),
+        ("mixture", "0.0, m.tf)", "0.0, 1.01 * m.tf)"),
+        ("ggx", "0.5 * density / reach_o", "0.505 * density / reach_o"),
+    ] {
+        let name = format!("lib/bsdf/{module}");
+        let text = std::fs::read_to_string(format!("shaders/{name}.wgsl")).unwrap();
+        assert!(text.contains(right), "{name} has changed: plant the error elsewhere");
+        let library = Library::shipped().with(&name, &text.replace(right, wrong));
+        assert!(against_twin(&room, library, &small(&room)).is_err(), "{wrong} in {name} went unnoticed");
+    }
+}
+
+#[test]
+fn a_shell_of_index_one_is_invisible() {
+    // Walls that only glow: what is seen depends on nothing random but the place in the pixel.
+    let mut room = Room { environment: Vec3::new(0.5, 0.1, 0.9), ..Room::default() };
+    let walls: Vec<_> = (1..6).map(|i| Some(room.material(matte(Vec3::ZERO, Vec3::new(i as f32, 0.5, 1.0))))).collect();
+    room.walls([walls[0], walls[1], walls[2], walls[3], walls[4], None]);
+    let params = TraceParams { layers: 4, ..room.params(UVec2::splat(48)) };
+    let bare = traced(&room, &params);
+    for (ni, visible) in [(1.0, false), (1.001, true)] {
+        let mut room = room.clone();
+        let shell = room.material(glass(ni));
+        for radius in [0.8, 0.7] {
+            room.ball(Vec3::new(0.1, 0.0, -0.1), radius, shell);
+        }
+        let params = TraceParams { root: room.params(UVec2::ONE).root, ..params };
+        let got = traced(&room, &params);
+        let differ = got.iter().zip(&bare).filter(|(a, b)| (**a - **b).abs().max_element() > 1e-4 * b.max_element());
+        // Two rays of a thousand may pass another side of a wall's edge: their origins were moved.
+        let count = differ.count();
+        assert_eq!(count * 500 > got.len(), visible, "Ni {ni}: {count} of {} samples differ", got.len());
+    }
+}
+
+#[test]
+fn glass_in_a_furnace_is_invisible() {
+    // All around glows alike: whether a path is reflected or refracted, it ends in the same light, squeezed and widened
+    // again. Of 64 segments a path between walls spends at most a few in the ball.
+    for ni in [1.0, 1.5, 2.4] {
+        let mut room = Room::default();
+        let wall = room.material(matte(Vec3::ZERO, Vec3::splat(3.0)));
+        room.walls([Some(wall); 6]);
+        let shell = room.material(glass(ni));
+        room.ball(Vec3::new(0.2, -0.3, -0.5), 0.4, shell);
+        let got = traced(&room, &TraceParams { layers: 4, ..inside(&room, UVec2::splat(32), 64) });
+        let off = got.iter().filter(|rgb| (**rgb / 3.0 - 1.0).abs().max_element() > 1e-5).count();
+        // Shading normals stand off the facets: what would be refracted to the wrong side of one is lost.
+        assert!(off * 50 < got.len(), "Ni {ni}: {off} of {} samples are off", got.len());
+        assert!(ni > 1.0 || off == 0, "Ni {ni}: {off} samples are off");
+    }
+}
+
+#[test]
+fn a_veil_lets_its_part_through() {
+    let mut room = Room { environment: Vec3::new(1.0, 2.0, 4.0), ..Room::default() };
+    let tf = Vec3::new(1.0, 0.5, 0.25);
+    let values = Reflector { kd: Vec3::splat(0.5), opacity: 0.3, tf, ..Reflector::default() };
+    let veil = room.material(MaterialRecord::pack(&values, EnergyRule::Preserve));
+    room.quad(Vec3::new(-9.0, -9.0, 0.0), Vec3::X * 18.0, Vec3::Y * 18.0, veil);
+    let mean_of = |rig: &mut Runtime| {
+        room.load(rig);
+        let got = samples(rig, &TraceParams { layers: 64, ..room.params(UVec2::splat(64)) });
+        got.iter().map(|sample| sample.rgb.as_dvec3()).sum::<DVec3>() / got.len() as f64
+    };
+    // What is reflected sees the environment as well.
+    let right = (0.3 * 0.5 + 0.7 * tf.as_dvec3()) * room.environment.as_dvec3();
+    let worst = |mean: DVec3| (mean / right - 1.0).abs().max_element();
+    // A sample is one of two values, at most 1/2 apart in a mean of 0.3: 2^18 of them deviate by 9e-4 of it; five of that.
+    let off = worst(mean_of(&mut support::rig()));
+    assert!(off < 4.5e-3, "{off}");
+    let text = std::fs::read_to_string("shaders/lib/bsdf/mixture.wgsl").unwrap();
+    let wrong = text.replace("if (pick < m.transparency)", "if (pick < 1.02 * m.transparency)");
+    assert_ne!(text, wrong);
+    let mut rig = Runtime::new(support::gpu(), Library::shipped().with("lib/bsdf/mixture", &wrong));
+    assert!(worst(mean_of(&mut rig)) > 4.5e-3, "a part wrong by 2 % passes");
+}
