@@ -1,6 +1,7 @@
 //! The path kernel against its f64 twin, and in rooms whose answer is known.
 
 use glam::{DVec3, UVec2, Vec3};
+use lucerna::cpu::rng::Source;
 use lucerna::gpu::Runtime;
 use lucerna::layout::trace::{NO_MATERIAL, RadianceSample, SAMPLE_BAD, TraceParams};
 use lucerna::passes::trace::View;
@@ -11,7 +12,7 @@ use crate::statistics::{BATCHES, Pairs, agree};
 use crate::support;
 
 /// Every feature that the kernel knows.
-const FEATURES: [&str; 5] = ["emitters", "environment", "glossy", "normals", "roulette"];
+const FEATURES: [&str; 6] = ["emitters", "environment", "glossy", "normals", "roulette", "sobol"];
 
 /// Pixels of a side of a block whose mean is compared.
 const BLOCK: u32 = 8;
@@ -104,11 +105,28 @@ fn small(room: &Room) -> TraceParams {
 
 #[test]
 fn equals_the_f64_twin() {
-    for roulette in [false, true] {
-        let room = Room { roulette, ..Room::cornell() };
+    for (roulette, sampler) in [(false, Source::Pcg), (true, Source::Pcg), (true, Source::Sobol)] {
+        let room = Room { roulette, sampler, ..Room::cornell() };
         against_twin(&room, Library::shipped(), &small(&room))
-            .unwrap_or_else(|why| panic!("roulette {roulette}: {why}"));
+            .unwrap_or_else(|why| panic!("roulette {roulette}, {sampler:?}: {why}"));
     }
+}
+
+#[test]
+fn samplers_agree() {
+    let room = Room { roulette: true, ..Room::cornell() };
+    // 16 x 16 pixels, 16 samples a batch: as many a block as in the test of roulette.
+    let params = TraceParams { layers: 16, ..room.params(UVec2::splat(16)) };
+    let mut pcg = support::rig();
+    room.load(&mut pcg);
+    let mut sobol = support::rig();
+    let room = Room { sampler: Source::Sobol, ..room };
+    room.load(&mut sobol);
+    compare(
+        |i| gpu_sums(&mut sobol, &batch(&params, i)),
+        |i| gpu_sums(&mut pcg, &TraceParams { seed: 2, ..batch(&params, i) }),
+    )
+    .unwrap();
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::cpu::path::PathScene;
+use lucerna::cpu::rng::Source;
 use lucerna::cpu::tree;
 use lucerna::gpu::Runtime;
 use lucerna::layout::film::film_exponent;
@@ -19,6 +20,7 @@ pub struct Room {
     pub shading: Vec<Shading>,
     pub environment: Vec3,
     pub roulette: bool,
+    pub sampler: Source,
 }
 
 /// A diffuse material that may emit.
@@ -126,7 +128,8 @@ impl Room {
     pub fn features(&self) -> Vec<&'static str> {
         let normals = !self.shading.is_empty();
         let (materials, environment, roulette) = (&self.materials[..], self.environment, self.roulette);
-        trace::Needs { materials, environment, normals, roulette }.features()
+        let sobol = self.sampler == Source::Sobol;
+        trace::Needs { materials, environment, normals, roulette, sobol }.features()
     }
 
     /// Uploads the scene and its tree, and switches its features on.
@@ -146,6 +149,7 @@ impl Room {
         let mut scene = PathScene::new(&self.triangles, &self.materials);
         scene.shading = &self.shading;
         scene.roulette = self.roulette;
+        scene.sampler = self.sampler;
         scene
     }
 }

@@ -7,6 +7,7 @@ pub mod intersect;
 pub mod morton;
 pub mod path;
 pub mod rng;
+pub mod rng_sobol;
 pub mod sort;
 pub mod traverse;
 pub mod tree;

@@ -4,10 +4,11 @@
 use glam::{DVec2, DVec3, UVec2};
 
 use super::bsdf::Reflection;
-use super::rng::{sample_1d, sample_2d, sample_key};
+use super::rng::{Source, sample_key};
 use super::triangles::{HitF64, TriangleSet};
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SampleKey, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_DIRECTION, SLOT_FILM, SLOT_LOBE,
+    SLOT_ROULETTE, SampleKey, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -19,6 +20,8 @@ pub struct PathScene<'a> {
     pub shading: &'a [Shading],
     /// Russian roulette.
     pub roulette: bool,
+    /// Of random numbers.
+    pub sampler: Source,
 }
 
 /// One sample of one pixel.
@@ -39,14 +42,14 @@ struct Surface {
 impl<'a> PathScene<'a> {
     /// Without shading normals and without roulette.
     pub fn new(triangles: &[Triangle], materials: &'a [MaterialRecord]) -> Self {
-        Self { triangles: TriangleSet::new(triangles), materials, shading: &[], roulette: false }
+        Self { triangles: TriangleSet::new(triangles), materials, shading: &[], roulette: false, sampler: Source::Pcg }
     }
 
     /// A film sample of a pixel of the whole film; what the kernel reads of `params` is read here.
     pub fn sample(&self, params: &TraceParams, pixel: UVec2, sample: u32) -> Traced {
         let key = sample_key(pixel.y * params.film_width + pixel.x, sample, params.seed);
         let mut origin = params.position.as_dvec3();
-        let mut direction = camera_direction(params, pixel.as_dvec2() + sample_2d(key, 0));
+        let mut direction = camera_direction(params, pixel.as_dvec2() + self.sampler.sample_2d(key, SLOT_FILM));
         let mut throughput = DVec3::ONE;
         let mut traced = Traced::default();
         for bounce in 0..params.max_depth {
@@ -61,11 +64,11 @@ impl<'a> PathScene<'a> {
             if !(surface.from_behind && material.flags & MATERIAL_ONE_SIDED != 0) {
                 traced.radiance += throughput * material.emission.as_dvec3();
             }
-            let Some((next, weight)) = scatter(material, &surface, -direction, key, bounce) else { break };
+            let Some((next, weight)) = self.scatter(material, &surface, -direction, key, bounce) else { break };
             throughput *= weight;
             if self.roulette && bounce >= ROULETTE_BOUNCE {
                 let survival = throughput.max_element().min(1.0);
-                if sample_1d(key, (bounce + 1) * DIMENSIONS_PER_BOUNCE + 2) >= survival {
+                if self.sampler.sample_1d(key, bounce * DIMENSIONS_PER_BOUNCE + SLOT_ROULETTE) >= survival {
                     break;
                 }
                 throughput /= survival;
@@ -88,24 +91,26 @@ impl<'a> PathScene<'a> {
             .unwrap_or(geometric);
         Surface { geometric, shading, from_behind }
     }
-}
 
-/// A new direction and f cos / pdf; none where nothing is carried on.
-fn scatter(
-    material: &MaterialRecord,
-    surface: &Surface,
-    wo: DVec3,
-    key: SampleKey,
-    bounce: u32,
-) -> Option<(DVec3, DVec3)> {
-    let first = (bounce + 1) * DIMENSIONS_PER_BOUNCE;
-    let reflection = Reflection::from(material);
-    let wi = reflection.sample(surface.shading, wo, sample_1d(key, first), sample_2d(key, first + 1));
-    if wi.dot(surface.shading) <= 0.0 || wi.dot(surface.geometric) <= 0.0 {
-        return None;
+    /// A new direction and f cos / pdf; none where nothing is carried on.
+    fn scatter(
+        &self,
+        material: &MaterialRecord,
+        surface: &Surface,
+        wo: DVec3,
+        key: SampleKey,
+        bounce: u32,
+    ) -> Option<(DVec3, DVec3)> {
+        let first = bounce * DIMENSIONS_PER_BOUNCE;
+        let reflection = Reflection::from(material);
+        let pick = self.sampler.sample_1d(key, first + SLOT_LOBE);
+        let wi = reflection.sample(surface.shading, wo, pick, self.sampler.sample_2d(key, first + SLOT_DIRECTION));
+        if wi.dot(surface.shading) <= 0.0 || wi.dot(surface.geometric) <= 0.0 {
+            return None;
+        }
+        let at = reflection.evaluate(surface.shading, wo, wi);
+        (at.pdf > 0.0 && at.value.max_element() > 0.0).then(|| (wi, at.value / at.pdf))
     }
-    let at = reflection.evaluate(surface.shading, wo, wi);
-    (at.pdf > 0.0 && at.value.max_element() > 0.0).then(|| (wi, at.value / at.pdf))
 }
 
 /// Unit direction through a point of the whole film, in pixels from its top left corner.

@@ -52,6 +52,8 @@ pub struct Needs<'a> {
     pub normals: bool,
     /// Russian roulette.
     pub roulette: bool,
+    /// Stratified random numbers instead of independent ones.
+    pub sobol: bool,
 }
 
 impl Needs<'_> {
@@ -64,6 +66,7 @@ impl Needs<'_> {
             ("glossy", any(|m| m.glossy > 0.0)),
             ("normals", self.normals),
             ("roulette", self.roulette),
+            ("sobol", self.sobol),
         ];
         wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }

@@ -4,8 +4,9 @@
 
 import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
 import package::gen::{Hit, Ray, Triangle, NO_HIT, T_FAR};
-import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
-@if(roulette) import package::gen::{ROULETTE_BOUNCE};
+import package::gen::{BAD_OVERFLOW, NO_MATERIAL, SAMPLE_BAD};
+import package::gen::{DIMENSIONS_PER_BOUNCE, SLOT_DIRECTION, SLOT_FILM, SLOT_LOBE};
+@if(roulette) import package::gen::{ROULETTE_BOUNCE, SLOT_ROULETTE};
 @if(normals) import package::gen::{Shading};
 import package::lib::bsdf::mixture::{Facing, mixture_sample};
 import package::lib::camera::{camera_direction};
@@ -23,16 +24,10 @@ import package::passes::trace::traverse::{closest_hit};
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
 @if(normals) @group(0) @binding(5) var<storage, read> shading: array<Shading>;
 
-// Slots of the random dimensions: those of the camera, then those of each bounce.
-const SLOT_FILM: u32 = 0u;
-const SLOT_LOBE: u32 = 0u;
-const SLOT_DIRECTION: u32 = 1u;
-const SLOT_ROULETTE: u32 = 2u;
-
 const LARGEST_F32: f32 = 0x1.fffffep+127;
 
 fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
-    return ((*state).bounce + 1u) * DIMENSIONS_PER_BOUNCE + slot;
+    return (*state).bounce * DIMENSIONS_PER_BOUNCE + slot;
 }
 
 // Whether all channels are at least 0 and at most `largest`, and so numbers: by their bits, which for such are ordered as

@@ -3,7 +3,7 @@
 use bevy_ecs::prelude::*;
 use glam::Vec3;
 
-use crate::components::{Active, Camera, Environment, Film, Name, Render};
+use crate::components::{Active, Camera, Environment, Film, Name, Render, Sampler};
 use crate::layout::film::film_exponent;
 use crate::layout::trace::TraceParams;
 use crate::layout::tree::root;
@@ -43,8 +43,14 @@ pub fn extract_changed_shot(
     shot.aim(&view, film.size, scene.origin);
     shot.crop(window.min, window.max);
     shot.fit_film(exponent);
-    let needs =
-        Needs { materials: &scene.records, environment, normals: scene.normals, roulette: render.roulette }.features();
+    let needs = Needs {
+        materials: &scene.records,
+        environment,
+        normals: scene.normals,
+        roulette: render.roulette,
+        sobol: render.sampler == Sampler::Sobol,
+    }
+    .features();
     let fewer = render.spp.max(1) < progress.samples + u32::from(progress.rows > 0);
     // By their bits: a NaN differs from itself, and would start the film anew for ever.
     let same = bytemuck::bytes_of(&shot) == bytemuck::bytes_of(&scene.shot);
