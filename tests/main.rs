@@ -20,6 +20,7 @@ mod passes;
 mod path;
 mod player;
 mod rooms;
+mod sampler;
 mod save;
 mod scene;
 mod shader;

@@ -1,6 +1,7 @@
 //! The path kernel against its f64 twin, and in rooms whose answer is known.
 
 use glam::{DVec3, UVec2, Vec3};
+use lucerna::cpu::rng::Source;
 use lucerna::gpu::Runtime;
 use lucerna::layout::trace::{NO_MATERIAL, RadianceSample, SAMPLE_BAD, TraceParams};
 use lucerna::passes::trace::View;
@@ -100,11 +101,71 @@ pub fn small(room: &Room) -> TraceParams {
 
 #[test]
 fn equals_the_f64_twin() {
-    for roulette in [false, true] {
-        let room = Room { roulette, ..Room::cornell() };
+    for (roulette, sampler, next_event) in [
+        (false, Source::Pcg, false),
+        (true, Source::Sobol, false),
+        (false, Source::Pcg, true),
+        (true, Source::Sobol, true),
+    ] {
+        let room = Room { roulette, sampler, next_event, ..Room::cornell() };
         against_twin(&room, Library::shipped(), &small(&room))
-            .unwrap_or_else(|why| panic!("roulette {roulette}: {why}"));
+            .unwrap_or_else(|why| panic!("roulette {roulette}, {sampler:?}, lights asked {next_event}: {why}"));
     }
+}
+
+/// A room of few triangles, which has no tree, and a light that is not too small to be found.
+fn plain_room() -> Room {
+    let mut room = Room::default();
+    let white = room.material(matte(Vec3::splat(0.73), Vec3::ZERO));
+    let red = room.material(matte(Vec3::new(0.63, 0.06, 0.05), Vec3::ZERO));
+    let block = room.material(shiny(Vec3::splat(0.4), Vec3::splat(0.5), 33.0));
+    let light = room.material(matte(Vec3::ZERO, Vec3::new(4.0, 3.0, 2.0)));
+    room.walls([Some(red), Some(white), Some(white), Some(white), Some(block), None]);
+    room.quad(Vec3::new(-0.8, 0.9, -0.8), 1.6 * Vec3::X, 1.6 * Vec3::Z, light);
+    room.quad(Vec3::new(-0.5, -0.4, -0.5), Vec3::new(0.8, 0.1, 0.2), Vec3::new(-0.1, 0.1, 0.9), block);
+    room
+}
+
+#[test]
+fn asking_lights_changes_no_mean() {
+    let room = plain_room();
+    // As many paths a block as in the test of roulette.
+    let params = TraceParams { layers: 16, ..room.params(UVec2::splat(16)) };
+    let mut found = support::rig();
+    room.load(&mut found);
+    let asking = Room { next_event: true, ..plain_room() };
+    let asking_params = TraceParams { layers: 16, ..asking.params(UVec2::splat(16)) };
+    let agree = |library: Library| {
+        let mut asked = Runtime::new(support::gpu(), library);
+        asking.load(&mut asked);
+        compare(
+            |i| gpu_sums(&mut asked, &TraceParams { seed: 2, ..batch(&asking_params, i) }),
+            |i| gpu_sums(&mut found, &batch(&params, i)),
+        )
+    };
+    agree(Library::shipped()).unwrap();
+    // One percent, of the weight, of the density, of the part that is found.
+    let text = std::fs::read_to_string("shaders/lib/light.wgsl").unwrap();
+    let (right, wrong) = ("return 1.0 / (1.0 + ratio * ratio);", "return 1.01 / (1.0 + ratio * ratio);");
+    assert!(text.contains(right), "lib/light has changed: plant the error elsewhere");
+    assert!(agree(Library::shipped().with("lib/light", &text.replace(right, wrong))).is_err(), "{wrong} went unnoticed");
+}
+
+#[test]
+fn samplers_agree() {
+    let room = Room { roulette: true, ..Room::cornell() };
+    // 16 x 16 pixels, 16 samples a batch: as many a block as in the test of roulette.
+    let params = TraceParams { layers: 16, ..room.params(UVec2::splat(16)) };
+    let mut pcg = support::rig();
+    room.load(&mut pcg);
+    let mut sobol = support::rig();
+    let room = Room { sampler: Source::Sobol, ..room };
+    room.load(&mut sobol);
+    compare(
+        |i| gpu_sums(&mut sobol, &batch(&params, i)),
+        |i| gpu_sums(&mut pcg, &TraceParams { seed: 2, ..batch(&params, i) }),
+    )
+    .unwrap();
 }
 
 #[test]

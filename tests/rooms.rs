@@ -2,6 +2,7 @@
 
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::cpu::path::PathScene;
+use lucerna::cpu::rng::Source;
 use lucerna::cpu::tree;
 use lucerna::gpu::Runtime;
 use lucerna::layout::film::film_exponent;
@@ -20,6 +21,7 @@ pub struct Room {
     pub shading: Vec<Shading>,
     pub environment: Vec3,
     pub roulette: bool,
+    pub sampler: Source,
     /// Integrator `Path`: lights are asked directly.
     pub next_event: bool,
 }
@@ -179,7 +181,8 @@ impl Room {
         let (materials, environment, roulette) = (&self.materials[..], self.environment, self.roulette);
         let lights = !self.lights().lights.is_empty();
         let tree = trace::needs_tree(self.triangles.len() as u32);
-        trace::Needs { materials, environment, normals, roulette, lights, tree, ..Default::default() }.features()
+        let sobol = self.sampler == Source::Sobol;
+        trace::Needs { materials, environment, normals, roulette, lights, tree, sobol, ..Default::default() }.features()
     }
 
     /// Uploads the scene and its tree, and switches its features on.
@@ -203,6 +206,8 @@ impl Room {
         let mut scene = PathScene::new(&self.triangles, &self.materials);
         scene.shading = &self.shading;
         scene.roulette = self.roulette;
+        scene.lights = self.next_event.then(|| self.lights());
+        scene.sampler = self.sampler;
         scene
     }
 }

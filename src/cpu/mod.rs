@@ -1,12 +1,14 @@
 //! The twin of every pass on the CPU, by the same names; f64 where it is an oracle.
 
 pub mod bsdf;
+pub mod connect;
 pub mod display;
 pub mod film;
 pub mod intersect;
 pub mod morton;
 pub mod path;
 pub mod rng;
+pub mod rng_sobol;
 pub mod sort;
 pub mod traverse;
 pub mod tree;

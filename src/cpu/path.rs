@@ -3,12 +3,14 @@
 
 use glam::{DVec2, DVec3, UVec2};
 
-use super::bsdf::{Facing, Reflection};
-use super::rng::{sample_1d, sample_2d, sample_key};
+use super::bsdf::{BsdfSample, Facing, Reflection};
+use super::connect::{LightSample, draw_light, light_pdf, power_heuristic};
+use super::rng::{Source, sample_key};
 use super::triangles::{HitF64, TriangleSet};
+use crate::layout::light::LightTable;
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_DIRECTION, SLOT_LOBE,
-    SLOT_ROULETTE, SampleKey, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT,
+    SLOT_LIGHT_POINT, SLOT_LOBE, SLOT_ROULETTE, SampleKey, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -20,6 +22,10 @@ pub struct PathScene<'a> {
     pub shading: &'a [Shading],
     /// Russian roulette.
     pub roulette: bool,
+    /// Of random numbers.
+    pub sampler: Source,
+    /// The lights that are asked directly: integrator `Path`.
+    pub lights: Option<LightTable>,
 }
 
 /// One sample of one pixel.
@@ -33,15 +39,23 @@ pub struct Traced {
 impl<'a> PathScene<'a> {
     /// Without shading normals and without roulette.
     pub fn new(triangles: &[Triangle], materials: &'a [MaterialRecord]) -> Self {
-        Self { triangles: TriangleSet::new(triangles), materials, shading: &[], roulette: false }
+        Self {
+            triangles: TriangleSet::new(triangles),
+            materials,
+            shading: &[],
+            roulette: false,
+            sampler: Source::Pcg,
+            lights: None,
+        }
     }
 
     /// A film sample of a pixel of the whole film; what the kernel reads of `params` is read here.
     pub fn sample(&self, params: &TraceParams, pixel: UVec2, sample: u32) -> Traced {
         let key = sample_key(pixel.y * params.film_width + pixel.x, sample, params.seed);
         let mut origin = params.position.as_dvec3();
-        let mut direction = camera_direction(params, pixel.as_dvec2() + sample_2d(key, 0));
+        let mut direction = camera_direction(params, pixel.as_dvec2() + self.sampler.sample_2d(key, SLOT_FILM));
         let mut throughput = DVec3::ONE;
+        let mut pdf = 0.0;
         let mut traced = Traced::default();
         for bounce in 0..params.max_depth {
             traced.rays += 1;
@@ -53,19 +67,32 @@ impl<'a> PathScene<'a> {
             let material = &self.materials[hit.triangle.material as usize];
             let facing = self.facing(&hit, -direction);
             if !(facing.from_behind && material.flags & MATERIAL_ONE_SIDED != 0) {
-                traced.radiance += throughput * material.emission.as_dvec3();
+                let weight = self.weight_of_finding(pdf, &hit, direction);
+                traced.radiance += throughput * material.emission.as_dvec3() * weight;
             }
-            let Some((next, weight)) = scatter(material, &facing, key, bounce) else { break };
-            throughput *= weight;
+            if bounce + 1 == params.max_depth {
+                break;
+            }
+            let position = origin + hit.t * direction;
+            if let Some(light) =
+                self.connect(material, &facing, position, key, bounce).filter(|l| l.light != DVec3::ZERO)
+            {
+                traced.rays += 1;
+                if self.sees(position, &light.from) {
+                    traced.radiance += throughput * light.light;
+                }
+            }
+            let Some(drawn) = self.scatter(material, &facing, key, bounce) else { break };
+            throughput *= drawn.weight;
             if self.roulette && bounce >= ROULETTE_BOUNCE {
                 let survival = throughput.max_element().min(1.0);
-                if sample_1d(key, (bounce + 1) * DIMENSIONS_PER_BOUNCE + SLOT_ROULETTE) >= survival {
+                if self.sampler.sample_1d(key, bounce * DIMENSIONS_PER_BOUNCE + SLOT_ROULETTE) >= survival {
                     break;
                 }
                 throughput /= survival;
             }
-            origin += hit.t * direction;
-            direction = next;
+            origin = position;
+            (direction, pdf) = (drawn.direction, drawn.pdf);
         }
         traced
     }
@@ -82,14 +109,59 @@ impl<'a> PathScene<'a> {
             .unwrap_or(geometric);
         Facing { wo, shading, geometric, from_behind }
     }
+
+    /// What a light that was hit along a direction of such a pdf counts for: asking it directly counts for the rest.
+    fn weight_of_finding(&self, pdf: f64, hit: &HitF64, direction: DVec3) -> f64 {
+        let [a, b, c] = hit.triangle.corners;
+        let asked = |lights| light_pdf(lights, hit.triangle.index, (b - a).cross(c - a), direction, hit.t);
+        match self.lights.as_ref().and_then(asked) {
+            Some(light_pdf) if pdf > 0.0 => power_heuristic(pdf, light_pdf),
+            _ => 1.0,
+        }
+    }
+
+    /// A light that is asked directly, and what it adds for a throughput of 1 if nothing is in the way.
+    fn connect(
+        &self,
+        material: &MaterialRecord,
+        facing: &Facing,
+        position: DVec3,
+        key: SampleKey,
+        bounce: u32,
+    ) -> Option<Connection> {
+        let lights = self.lights.as_ref().filter(|table| !table.lights.is_empty())?;
+        let first = bounce * DIMENSIONS_PER_BOUNCE;
+        let pick = self.sampler.sample_1d(key, first + SLOT_LIGHT);
+        let from = draw_light(lights, position, pick, self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT));
+        let above = from.direction.dot(facing.shading) > 0.0 && from.direction.dot(facing.geometric) > 0.0;
+        let at = Reflection::from(material).evaluate(facing.shading, facing.wo, from.direction);
+        let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
+        let share = if counts { power_heuristic(from.pdf, at.pdf) / from.pdf } else { 0.0 };
+        Some(Connection { from, light: at.value * from.radiance * share })
+    }
+
+    /// Whether nothing is between a position and a light but the light itself.
+    fn sees(&self, position: DVec3, light: &LightSample) -> bool {
+        match self.triangles.closest(position, light.direction, 1e-9) {
+            Some(hit) => hit.triangle.index == light.triangle || hit.t >= light.distance * (1.0 - 2f64.powi(-16)),
+            None => true,
+        }
+    }
+
+    /// A new direction; none where it carries nothing.
+    fn scatter(&self, material: &MaterialRecord, facing: &Facing, key: SampleKey, bounce: u32) -> Option<BsdfSample> {
+        let first = bounce * DIMENSIONS_PER_BOUNCE;
+        let pick = self.sampler.sample_1d(key, first + SLOT_LOBE);
+        let direction = self.sampler.sample_2d(key, first + SLOT_DIRECTION);
+        let drawn = Reflection::from(material).sample(facing, pick, direction);
+        (drawn.weight.max_element() > 0.0).then_some(drawn)
+    }
 }
 
-/// A new direction and what it carries of the light from there; none where it is nothing.
-fn scatter(material: &MaterialRecord, facing: &Facing, key: SampleKey, bounce: u32) -> Option<(DVec3, DVec3)> {
-    let first = (bounce + 1) * DIMENSIONS_PER_BOUNCE;
-    let pick = sample_1d(key, first + SLOT_LOBE);
-    let drawn = Reflection::from(material).sample(facing, pick, sample_2d(key, first + SLOT_DIRECTION));
-    (drawn.weight.max_element() > 0.0).then_some((drawn.direction, drawn.weight))
+/// A look at a light.
+struct Connection {
+    from: LightSample,
+    light: DVec3,
 }
 
 /// Unit direction through a point of the whole film, in pixels from its top left corner.

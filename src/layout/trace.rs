@@ -158,20 +158,23 @@ gpu_consts! {
     pub const BAD_NEGATIVE: u32 = 3;
     /// A sample was too large for the film's fixed point.
     pub const BAD_OVERFLOW: u32 = 4;
-    /// Random dimensions of a bounce.
+    /// Random dimensions of a bounce, in groups of four that a sampler may stratify jointly: a direction with the point on a
+    /// light that is drawn where it leads, and choices.
     pub const DIMENSIONS_PER_BOUNCE: u32 = 8;
-    /// Where in the pixel, two numbers; of the dimensions before the first bounce.
+    /// Where a sample lies in its pixel, 2D, of bounce 0: the camera's direction.
     pub const SLOT_FILM: u32 = 0;
-    /// Which light is asked.
-    pub const SLOT_LIGHT: u32 = 0;
-    /// Which point of it, two numbers.
-    pub const SLOT_LIGHT_POINT: u32 = 1;
-    /// Which lobe of the BSDF.
-    pub const SLOT_LOBE: u32 = 2;
-    /// Which direction of it, two numbers.
-    pub const SLOT_DIRECTION: u32 = 3;
-    /// Whether the path goes on.
-    pub const SLOT_ROULETTE: u32 = 4;
+    /// The point on a light, 2D.
+    pub const SLOT_LIGHT_POINT: u32 = 2;
+    /// The choices of a bounce, 4D: those of the light, the lobe and the roulette, in this order.
+    pub const SLOT_CHOICES: u32 = 4;
+    /// Which light, 1D.
+    pub const SLOT_LIGHT: u32 = 4;
+    /// Which lobe of the BSDF, 1D.
+    pub const SLOT_LOBE: u32 = 5;
+    /// Whether the path survives, 1D.
+    pub const SLOT_ROULETTE: u32 = 6;
+    /// The direction that a bounce draws, 2D: in the group of the next bounce's light.
+    pub const SLOT_DIRECTION: u32 = 8;
     /// First bounce after which Russian roulette may end a path: paths of 4 segments are never cut.
     pub const ROULETTE_BOUNCE: u32 = 3;
 }

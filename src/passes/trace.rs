@@ -76,6 +76,8 @@ pub struct Needs<'a> {
     pub normals: bool,
     /// Russian roulette.
     pub roulette: bool,
+    /// Stratified random numbers instead of independent ones.
+    pub sobol: bool,
 }
 
 impl Needs<'_> {
@@ -96,6 +98,7 @@ impl Needs<'_> {
             // The two exclude each other.
             ("sky", self.sky && !self.sky_light),
             ("sky_light", self.sky_light),
+            ("sobol", self.sobol),
             ("thin", any(|m| m.transparency > 0.0)),
             ("tree", self.tree),
         ];

@@ -36,7 +36,7 @@ import package::passes::trace::scene::{leaves};
 const LARGEST_F32: f32 = 0x1.fffffep+127;
 
 fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
-    return ((*state).bounce + 1u) * DIMENSIONS_PER_BOUNCE + slot;
+    return (*state).bounce * DIMENSIONS_PER_BOUNCE + slot;
 }
 
 // Whether all channels are at least 0 and at most `largest`, and so numbers: by their bits, which for such are ordered as

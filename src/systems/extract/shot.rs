@@ -3,7 +3,7 @@
 use bevy_ecs::prelude::*;
 use glam::{UVec2, Vec3};
 
-use crate::components::{Active, Camera, Environment, Film, Integrator, Name, Render};
+use crate::components::{Active, Camera, Environment, Film, Integrator, Name, Render, Sampler};
 use crate::layout::film::film_exponent;
 use crate::layout::trace::TraceParams;
 use crate::layout::tree::root;
@@ -64,6 +64,7 @@ pub fn extract_changed_shot(
         tree: needs_tree(scene.triangles),
         normals: scene.normals,
         roulette: render.roulette,
+        sobol: render.sampler == Sampler::Sobol,
     };
     let needs = needs.features();
     let fewer = render.spp.max(1) < progress.samples + u32::from(progress.rows > 0);
