@@ -5,6 +5,7 @@ pub mod display;
 pub mod film;
 pub mod intersect;
 pub mod morton;
+pub mod oracle;
 pub mod path;
 pub mod rng;
 pub mod sort;
