@@ -69,7 +69,7 @@ fn modules_know_only_what_is_below_them() {
         ("scene", &["components"]),
         ("shader", &["layout"]),
         ("passes", &["layout"]),
-        ("cpu", &["layout"]),
+        ("cpu", &["components", "layout"]),
         ("gpu", &["layout", "shader", "passes"]),
         ("systems", &["components", "cpu", "gpu", "layout", "passes", "scene", "shader"]),
     ];

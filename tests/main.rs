@@ -16,6 +16,7 @@ mod layout;
 mod morton;
 mod mtl;
 mod obj;
+mod oracle;
 mod passes;
 mod path;
 mod player;

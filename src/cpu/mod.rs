@@ -6,6 +6,7 @@ pub mod display;
 pub mod film;
 pub mod intersect;
 pub mod morton;
+pub mod oracle;
 pub mod path;
 pub mod rng;
 pub mod rng_sobol;

@@ -1,0 +1,207 @@
+//! Surfaces in f64, straight from the material's numbers. All directions are unit vectors that point away from the surface.
+
+use std::f64::consts::{FRAC_1_PI, PI, TAU};
+
+use glam::{DMat3, DVec3};
+
+use super::random::Random;
+use crate::components::{Energy, Material};
+
+/// Least alpha of a rough conductor, as the definition of `roughness` has it.
+const LEAST_ALPHA: f64 = 1e-4;
+
+/// What a surface does with light.
+#[derive(Clone, Debug)]
+pub struct Bsdf {
+    kd: DVec3,
+    ks: DVec3,
+    specular: Specular,
+    /// Index of refraction; then `tf` alone counts of what else there is.
+    glass: Option<f64>,
+    /// Part of the light that meets the surface at all.
+    opacity: f64,
+    tf: DVec3,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Specular {
+    /// f = ks (n + 2) / (2 pi) cos^n(alpha), alpha from the mirror direction (Lafortune and Willems 1994).
+    Phong(f64),
+    /// f = ks D G2 / (4 cos cos), the microfacets of Walter et al. 2007 by their alpha, Smith's G2 height-correlated
+    /// (Heitz 2014).
+    Ggx(f64),
+    Mirror,
+}
+
+/// How a surface is seen. Both normals are on the side of `wo`.
+#[derive(Clone, Copy, Debug)]
+pub struct Facing {
+    pub wo: DVec3,
+    pub shading: DVec3,
+    pub geometric: DVec3,
+    /// Seen from the side where the winding is clockwise.
+    pub from_behind: bool,
+}
+
+/// A way on.
+#[derive(Clone, Copy, Debug)]
+pub struct Draw {
+    pub wi: DVec3,
+    /// f cos / pdf.
+    pub weight: DVec3,
+    /// By solid angle; 0 where the direction is the only one that its lobe has.
+    pub pdf: f64,
+}
+
+impl Bsdf {
+    /// From a material and what becomes of its excess.
+    pub fn new(material: &Material, energy: Energy) -> Self {
+        let (kd, ks, metallic) = (material.kd.as_dvec3(), material.ks.as_dvec3(), f64::from(material.metallic));
+        let (kd, ks) = (kd * (1.0 - metallic), ks + kd * metallic);
+        let scale = match energy {
+            Energy::Preserve => (kd + ks).max_element().max(1.0),
+            Energy::AsWritten => 1.0,
+        };
+        let specular = match (material.roughness, material.illum) {
+            (Some(roughness), _) => Specular::Ggx(f64::from(roughness).powi(2).max(LEAST_ALPHA)),
+            (None, 3 | 5) => Specular::Mirror,
+            (None, _) => Specular::Phong(f64::from(material.ns).clamp(0.0, 1e5)),
+        };
+        Self {
+            kd: kd / scale,
+            ks: ks / scale,
+            specular,
+            glass: matches!(material.illum, 4 | 6 | 7 | 9).then(|| f64::from(material.ni)),
+            opacity: f64::from(material.dissolve),
+            tf: material.tf.as_dvec3(),
+        }
+    }
+
+    /// Probabilities of the lobes: diffuse, specular, straight on. All 0 where nothing is carried.
+    fn chances(&self) -> [f64; 3] {
+        let parts = [self.opacity * self.kd, self.opacity * self.ks, (1.0 - self.opacity) * self.tf];
+        let parts = parts.map(|part| part.element_sum());
+        let sum: f64 = parts.iter().sum();
+        parts.map(|part| if sum > 0.0 { part / sum } else { 0.0 })
+    }
+
+    /// f cos, and the density by which [`Bsdf::draw`] finds `wi`, by solid angle; lobes of a single direction left out.
+    pub fn evaluate(&self, facing: &Facing, wi: DVec3) -> (DVec3, f64) {
+        let cos = wi.dot(facing.shading);
+        if self.glass.is_some() || cos <= 0.0 || wi.dot(facing.geometric) <= 0.0 {
+            return (DVec3::ZERO, 0.0);
+        }
+        let [diffuse, specular, _] = self.chances();
+        let (lobe, lobe_pdf) = match self.specular {
+            Specular::Phong(n) => phong(n, facing, wi),
+            Specular::Ggx(alpha) => ggx(alpha, facing, wi),
+            Specular::Mirror => (0.0, 0.0),
+        };
+        let value = self.opacity * (self.kd * (FRAC_1_PI * cos) + self.ks * lobe);
+        (value, diffuse * FRAC_1_PI * cos + specular * lobe_pdf)
+    }
+
+    /// A direction to go on in; none where the light is lost.
+    pub fn draw(&self, facing: &Facing, random: &mut Random) -> Option<Draw> {
+        if let Some(index) = self.glass {
+            return draw_glass(index, self.tf, facing, random);
+        }
+        let [diffuse, specular, straight] = self.chances();
+        let pick = random.unit();
+        let (u, v) = (random.unit(), random.unit());
+        let wi = if pick < straight {
+            let weight = self.tf * ((1.0 - self.opacity) / straight);
+            return Some(Draw { wi: -facing.wo, weight, pdf: 0.0 });
+        } else if pick < straight + diffuse {
+            around(facing.shading, (1.0 - u).sqrt(), v)
+        } else if specular <= 0.0 {
+            return None;
+        } else {
+            match self.specular {
+                Specular::Phong(n) => around(facing.mirror(), (1.0 - u).powf(1.0 / (n + 1.0)), v),
+                Specular::Ggx(alpha) => draw_ggx(alpha, facing, u, v),
+                Specular::Mirror => {
+                    let (wi, weight) = (facing.mirror(), self.ks * (self.opacity / specular));
+                    return (wi.dot(facing.geometric) > 0.0).then_some(Draw { wi, weight, pdf: 0.0 });
+                }
+            }
+        };
+        let (value, pdf) = self.evaluate(facing, wi);
+        (pdf > 0.0).then(|| Draw { wi, weight: value / pdf, pdf })
+    }
+}
+
+impl Facing {
+    /// `wo` reflected about the shading normal.
+    fn mirror(&self) -> DVec3 {
+        2.0 * self.wo.dot(self.shading) * self.shading - self.wo
+    }
+
+    /// Columns: two tangents and the shading normal.
+    fn frame(&self) -> DMat3 {
+        let (s, t) = self.shading.any_orthonormal_pair();
+        DMat3::from_cols(s, t, self.shading)
+    }
+}
+
+/// The direction at an angle of this cosine from unit `axis`, `turn` turns about it.
+fn around(axis: DVec3, cos: f64, turn: f64) -> DVec3 {
+    let (s, t) = axis.any_orthonormal_pair();
+    let (sin_turn, cos_turn) = (TAU * turn).sin_cos();
+    let sin = (1.0 - cos * cos).max(0.0).sqrt();
+    (sin * (cos_turn * s + sin_turn * t) + cos * axis).normalize()
+}
+
+/// f cos and pdf of the Phong lobe of reflectance 1.
+fn phong(n: f64, facing: &Facing, wi: DVec3) -> (f64, f64) {
+    let cos_alpha = facing.mirror().dot(wi);
+    let lobe = if cos_alpha > 0.0 { cos_alpha.powf(n) / TAU } else { 0.0 };
+    ((n + 2.0) * lobe * wi.dot(facing.shading), (n + 1.0) * lobe)
+}
+
+/// f cos and pdf of the GGX lobe of reflectance 1, drawn by the normals that `wo` sees.
+fn ggx(alpha: f64, facing: &Facing, wi: DVec3) -> (f64, f64) {
+    let to_local = facing.frame().transpose();
+    let (o, i) = (to_local * facing.wo, to_local * wi);
+    let tan2 = |w: DVec3| (w.x * w.x + w.y * w.y) / (w.z * w.z);
+    let lambda = |w: DVec3| 0.5 * ((1.0 + alpha * alpha * tan2(w)).sqrt() - 1.0);
+    let h = (o + i).normalize();
+    let d = 1.0 / (PI * (alpha * h.z * h.z * (1.0 + tan2(h) / (alpha * alpha))).powi(2));
+    let common = d / (4.0 * o.z);
+    (common / (1.0 + lambda(o) + lambda(i)), common / (1.0 + lambda(o)))
+}
+
+/// Visible normals by spherical caps (Dupuy and Benyoub, 2023).
+fn draw_ggx(alpha: f64, facing: &Facing, u: f64, v: f64) -> DVec3 {
+    let frame = facing.frame();
+    let o = frame.transpose() * facing.wo;
+    let stretch = DVec3::new(alpha, alpha, 1.0);
+    let seen = (o * stretch).normalize();
+    let z = (1.0 - u) * (1.0 + seen.z) - seen.z;
+    let cap = around(DVec3::Z, z.clamp(-1.0, 1.0), v);
+    let h = ((cap + seen) * stretch).normalize();
+    frame * (2.0 * o.dot(h) * h - o)
+}
+
+/// Reflected by Fresnel's part, else refracted. Radiance over the square of the index is what a boundary keeps, so what
+/// comes from the denser side is weaker on the other.
+fn draw_glass(index: f64, tf: DVec3, facing: &Facing, random: &mut Random) -> Option<Draw> {
+    let ratio = if facing.from_behind { index } else { 1.0 / index };
+    let cos = facing.wo.dot(facing.shading);
+    let cos2_beyond = 1.0 - ratio * ratio * (1.0 - cos * cos);
+    let reflected = if cos2_beyond > 0.0 { fresnel(ratio, cos, cos2_beyond.sqrt()) } else { 1.0 };
+    if random.unit() < reflected {
+        let wi = facing.mirror();
+        return (wi.dot(facing.geometric) > 0.0).then_some(Draw { wi, weight: DVec3::ONE, pdf: 0.0 });
+    }
+    let wi = (facing.shading * (ratio * cos - cos2_beyond.sqrt()) - ratio * facing.wo).normalize();
+    let weight = tf * (ratio * ratio);
+    (wi.dot(facing.geometric) < 0.0).then_some(Draw { wi, weight, pdf: 0.0 })
+}
+
+/// Unpolarised reflectance of a boundary, `ratio` being the index here by that beyond.
+fn fresnel(ratio: f64, cos: f64, cos_beyond: f64) -> f64 {
+    let parallel = (cos - ratio * cos_beyond) / (cos + ratio * cos_beyond);
+    let perpendicular = (ratio * cos - cos_beyond) / (ratio * cos + cos_beyond);
+    0.5 * (parallel * parallel + perpendicular * perpendicular)
+}

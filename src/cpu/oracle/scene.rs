@@ -1,0 +1,150 @@
+//! Entities to triangles in world space, f64.
+
+use std::collections::HashMap;
+
+use bevy_ecs::prelude::*;
+use glam::{DVec2, DVec3};
+
+use super::bsdf::{Bsdf, Facing};
+use super::tree::{Hit, Tree};
+use crate::components::{
+    Active, Camera, Energy, Environment, Film, Geometry, Material, MeshData, Render, Transform, UsesMaterial,
+};
+
+/// Why a world can't be rendered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum OracleError {
+    #[error("the scene has no film")]
+    NoFilm,
+    #[error("the scene has no camera")]
+    NoCamera,
+    #[error("the film has no pixels, or the crop reaches beyond it")]
+    EmptyFilm,
+}
+
+pub struct Scene {
+    pub triangles: Vec<Triangle>,
+    pub tree: Tree,
+    pub substances: Vec<Substance>,
+    pub environment: Option<Environment>,
+    pub film: Film,
+    pub max_depth: u32,
+    camera: Camera,
+}
+
+pub struct Triangle {
+    pub corners: [DVec3; 3],
+    /// Unit length, or zero; none where the mesh has none.
+    normals: Option<[DVec3; 3]>,
+    pub substance: usize,
+}
+
+/// A material as the oracle sees it.
+pub struct Substance {
+    pub bsdf: Bsdf,
+    /// Radiance.
+    pub emission: DVec3,
+    pub one_sided: bool,
+}
+
+impl Scene {
+    /// Meshes in the order of their names; those without a material get the default one.
+    pub fn read(world: &mut World) -> Result<Self, OracleError> {
+        let (film, render) = world.query::<(&Film, &Render)>().iter(world).next().ok_or(OracleError::NoFilm)?;
+        let (film, render) = (*film, *render);
+        let window = film.window();
+        if window.min.cmpge(window.max).any() || window.max.cmpgt(film.size).any() {
+            return Err(OracleError::EmptyFilm);
+        }
+        let mut cameras = world.query::<(&Name, &Camera, Has<Active>)>();
+        let first = |(name, _, active): &(&Name, &Camera, bool)| (!active, name.as_str().to_owned());
+        let camera = *cameras.iter(world).min_by_key(first).ok_or(OracleError::NoCamera)?.1;
+        let mut environments = world.query::<(&Name, &Environment)>();
+        let environment = environments.iter(world).min_by_key(|e| e.0.as_str().to_owned()).map(|e| e.1.clone());
+
+        let mut substances = vec![Substance::new(&Material::default(), render.energy)];
+        let mut index = HashMap::new();
+        for (entity, material) in world.query_filtered::<(Entity, &Material), With<Name>>().iter(world) {
+            index.insert(entity, substances.len());
+            substances.push(Substance::new(material, render.energy));
+        }
+        let mut meshes = world.query::<(&Name, &Geometry, Option<&Transform>, Option<&UsesMaterial>)>();
+        let mut sorted: Vec<_> = meshes.iter(world).collect();
+        sorted.sort_by_key(|mesh| mesh.0.as_str());
+        let mut triangles = Vec::new();
+        for (_, geometry, transform, material) in sorted {
+            let substance = material.and_then(|m| index.get(&m.0)).copied().unwrap_or(0);
+            triangles.extend(place(&geometry.0, transform.copied().unwrap_or_default(), substance));
+        }
+        let tree = Tree::new(triangles.iter().map(|t| t.corners));
+        Ok(Self { triangles, tree, substances, environment, film, max_depth: render.max_depth.max(1), camera })
+    }
+
+    /// Origin and unit direction of the ray through a point of the whole film, in pixels from its top left corner.
+    pub fn camera_ray(&self, at: DVec2) -> (DVec3, DVec3) {
+        let camera = &self.camera;
+        let forward = (camera.look_at - camera.position).normalize_or(DVec3::NEG_Z);
+        let right = forward.cross(camera.up).normalize_or(forward.any_orthonormal_vector());
+        let size = self.film.size.as_dvec2();
+        let half = (0.5 * camera.fov_y.to_radians()).tan();
+        let (x, y) = (half * (2.0 * at.x - size.x) / size.y, half * (1.0 - 2.0 * at.y / size.y));
+        (camera.position, (forward + x * right + y * right.cross(forward)).normalize())
+    }
+
+    /// The surface that a ray of this direction hits.
+    pub fn facing(&self, hit: &Hit, direction: DVec3) -> Facing {
+        let (triangle, wo) = (&self.triangles[hit.triangle as usize], -direction);
+        let front = triangle.winding().normalize();
+        let from_behind = front.dot(wo) < 0.0;
+        let geometric = if from_behind { -front } else { front };
+        // A smooth normal that the viewer is behind of has no mirror direction above the surface.
+        let smooth = triangle.smooth_normal(hit.b).map(|n| if n.dot(geometric) < 0.0 { -n } else { n });
+        let shading = smooth.filter(|n| n.dot(wo) > 0.0).unwrap_or(geometric);
+        Facing { wo, shading, geometric, from_behind }
+    }
+
+    /// What a triangle is made of.
+    pub fn substance(&self, hit: &Hit) -> &Substance {
+        &self.substances[self.triangles[hit.triangle as usize].substance]
+    }
+
+    /// Radiance that a hit surface sends back along the ray.
+    pub fn emitted(&self, hit: &Hit, direction: DVec3) -> DVec3 {
+        let substance = self.substance(hit);
+        let from_behind = self.triangles[hit.triangle as usize].winding().dot(direction) > 0.0;
+        if substance.one_sided && from_behind { DVec3::ZERO } else { substance.emission }
+    }
+}
+
+impl Triangle {
+    /// Twice the area long, to the side from where the corners are counter-clockwise.
+    pub fn winding(&self) -> DVec3 {
+        let [a, b, c] = self.corners;
+        (b - a).cross(c - a)
+    }
+
+    /// None where a corner has no normal, or they cancel.
+    fn smooth_normal(&self, b: [f64; 2]) -> Option<DVec3> {
+        let normals = self.normals.filter(|normals| !normals.contains(&DVec3::ZERO))?;
+        let n = (1.0 - b[0] - b[1]) * normals[0] + b[0] * normals[1] + b[1] * normals[2];
+        (n.length_squared() >= 1e-6).then(|| n.normalize())
+    }
+}
+
+impl Substance {
+    fn new(material: &Material, energy: Energy) -> Self {
+        let emission = material.emission.as_dvec3();
+        Self { bsdf: Bsdf::new(material, energy), emission, one_sided: material.one_sided }
+    }
+}
+
+/// A mesh's triangles in world space.
+fn place(mesh: &MeshData, transform: Transform, substance: usize) -> impl Iterator<Item = Triangle> + '_ {
+    let turn = transform.0.matrix3.inverse().transpose();
+    let normal = move |i: u32| (turn * mesh.normals[i as usize].as_dvec3()).normalize_or_zero();
+    mesh.triangles.iter().enumerate().map(move |(i, corners)| Triangle {
+        corners: corners.map(|i| transform.0.transform_point3(mesh.positions[i as usize])),
+        normals: mesh.normal_triangles.get(i).map(|corners| corners.map(normal)),
+        substance,
+    })
+}
