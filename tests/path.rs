@@ -1,10 +1,12 @@
 //! The path kernel against its f64 twin, and in rooms whose answer is known.
 
+use std::collections::BTreeSet;
+
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::cpu::rng::Source;
 use lucerna::gpu::Runtime;
 use lucerna::layout::trace::{NO_MATERIAL, RadianceSample, SAMPLE_BAD, TraceParams};
-use lucerna::passes::trace::View;
+use lucerna::passes::trace::{Needs, View};
 use lucerna::shader::Library;
 
 use crate::rooms::{Room, matte, shiny, trace_batch};
@@ -16,11 +18,16 @@ const BLOCK: u32 = 8;
 
 #[test]
 fn a_scene_can_ask_for_every_feature_that_the_kernel_names() {
-    let mut room = Room { roulette: true, ..Room::glass() };
+    let mut room = Room { roulette: true, next_event: true, sampler: Source::Sobol, ..Room::glass() };
     room.material(shiny(Vec3::ZERO, Vec3::ONE, 1.0));
     let library = Library::embedded();
     let named = library.link("passes/trace/path", &library.features().unwrap()).unwrap().features;
-    assert_eq!(room.features(), Vec::from_iter(named));
+    let mut asked: BTreeSet<&str> = room.features().into_iter().collect();
+    // A picture of the sky, asked directly or not.
+    for sky_light in [false, true] {
+        asked.extend(Needs { sky: true, sky_light, ..Needs::default() }.features());
+    }
+    assert_eq!(Vec::from_iter(asked), Vec::from_iter(named));
 }
 
 /// The samples of a batch: layer by layer, pixel by pixel.
@@ -135,7 +142,7 @@ fn asking_lights_changes_no_mean() {
     room.load(&mut found);
     let asking = Room { next_event: true, ..plain_room() };
     let asking_params = TraceParams { layers: 16, ..asking.params(UVec2::splat(16)) };
-    let agree = |library: Library| {
+    let mut agree = |library: Library| {
         let mut asked = Runtime::new(support::gpu(), library);
         asking.load(&mut asked);
         compare(
@@ -148,12 +155,15 @@ fn asking_lights_changes_no_mean() {
     let text = std::fs::read_to_string("shaders/lib/light.wgsl").unwrap();
     let (right, wrong) = ("return 1.0 / (1.0 + ratio * ratio);", "return 1.01 / (1.0 + ratio * ratio);");
     assert!(text.contains(right), "lib/light has changed: plant the error elsewhere");
-    assert!(agree(Library::shipped().with("lib/light", &text.replace(right, wrong))).is_err(), "{wrong} went unnoticed");
+    assert!(
+        agree(Library::shipped().with("lib/light", &text.replace(right, wrong))).is_err(),
+        "{wrong} went unnoticed"
+    );
 }
 
 #[test]
 fn samplers_agree() {
-    let room = Room { roulette: true, ..Room::cornell() };
+    let room = Room { roulette: true, next_event: true, ..plain_room() };
     // 16 x 16 pixels, 16 samples a batch: as many a block as in the test of roulette.
     let params = TraceParams { layers: 16, ..room.params(UVec2::splat(16)) };
     let mut pcg = support::rig();

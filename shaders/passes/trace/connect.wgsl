@@ -66,6 +66,7 @@ fn draw_from_sky(params: TraceParams, u: vec2<f32>) -> LightSample {
 }
 
 // Light at a position. `pick` chooses the light, `u` the point on it.
+@if(lights || sky_light)
 fn draw_light(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>) -> LightSample {
     @if(lights && sky_light) {
         if (pick >= params.light_share) {
