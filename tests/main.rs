@@ -2,6 +2,7 @@
 
 mod bsdf;
 mod cli;
+mod compare;
 mod compile;
 mod display;
 mod edits;
@@ -12,6 +13,7 @@ mod fuzz;
 mod intersect;
 mod law;
 mod layout;
+mod metrics;
 mod morton;
 mod mtl;
 mod obj;
