@@ -1,10 +1,11 @@
 #!/bin/sh
-# Makes sure that Lucerna can build and draw here: a Rust toolchain, a C linker, and a graphics driver that wgpu can use.
+# Makes sure that Lucerna can build and draw here: a Rust toolchain, a C linker, a C++ compiler, and a graphics driver that
+# wgpu can use.
 #
 #   sh setup.sh
 #
 # Where a driver is there already, and on macOS (Metal) and Windows (DirectX 12), nothing is installed. On Debian and
-# Ubuntu without one, the Vulkan loader and Mesa's drivers are, which draw on the CPU if need be. Running it again is quick
+# Ubuntu without one, the Vulkan loader and Mesa's drivers are, which draw on the CPU if need be; and g++ without a compiler. Running it again is quick
 # and changes nothing. Exits with 0 if all is there, else with 1, and says what to do.
 set -eu
 
@@ -69,7 +70,7 @@ install_with_apt() {
     as_root=
     if [ "$(id -u)" -ne 0 ]; then
         if ! have sudo; then
-            complain "no Vulkan driver. As root, run: apt-get install $*"
+            complain "something is missing. As root, run: apt-get install $*"
             return 1
         fi
         as_root=sudo
@@ -135,9 +136,30 @@ check_linker() {
     return 1
 }
 
+# FLIP, in `lucerna compare`, is C++.
+check_cxx() {
+    # shellcheck disable=SC2086
+    if [ -n "${CXX:-}" ] && have ${CXX%% *}; then return 0; fi
+    if have c++ || have g++ || have clang++; then return 0; fi
+    case $(uname -s) in
+        Darwin) complain "a C++ compiler is missing. Run: xcode-select --install" ;;
+        MINGW* | MSYS* | CYGWIN*) return 0 ;;
+        *)
+            if have apt-get && install_with_apt g++ && have g++; then
+                say "C++ compiler: g++"
+                return 0
+            fi
+            complain "a C++ compiler is missing. Install one (Debian and Ubuntu: sudo apt-get install g++, elsewhere gcc-c++ or gcc)"
+            ;;
+    esac
+    complain "without one, all but FLIP can be built: cargo build --release --no-default-features"
+    return 1
+}
+
 failed=0
 check_driver || failed=1
 check_rust || failed=1
 check_linker || failed=1
+check_cxx || failed=1
 if [ "$failed" -eq 0 ]; then say "ready"; fi
 exit "$failed"

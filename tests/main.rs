@@ -2,6 +2,7 @@
 
 mod bsdf;
 mod cli;
+mod compare;
 mod compile;
 mod display;
 mod edits;
@@ -13,6 +14,7 @@ mod glass;
 mod intersect;
 mod law;
 mod layout;
+mod metrics;
 mod morton;
 mod mtl;
 mod obj;

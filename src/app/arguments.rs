@@ -5,17 +5,20 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glam::UVec2;
 
+use super::compare::CompareArguments;
 use super::{Exit, Failure, bench};
 use crate::components::{Crop, Film, Integrator, Render, Sampler};
 use crate::gpu::Gpu;
 use crate::systems::save::Output;
 
-const EXIT_CODES: &str = "\
+/// What ends every help text.
+pub const EXIT_CODES: &str = "\
 Exit codes:
   0    done
   1    wrong input, or an error on the way
   2    the command line means nothing
   3    no graphics adapter that can be used: see `lucerna doctor`
+  4    compared pictures differ by more than a --max flag allows
   130  interrupted; what there was has been written";
 
 /// A GPU path tracer.
@@ -30,6 +33,8 @@ pub struct Arguments {
 pub enum Command {
     /// Render a scene to PNG, EXR and a report
     Render(RenderArguments),
+    /// Compare a picture with a reference
+    Compare(CompareArguments),
     /// Check assets and shaders without rendering
     Check(CheckArguments),
     /// Say what there is to draw with, and what is missing
@@ -188,7 +193,8 @@ fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
-fn stops(text: &str) -> Result<f32, String> {
+/// An exposure.
+pub fn stops(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         Ok(stops) if stops.abs() <= 64.0 => Ok(stops),
         _ => Err("expected a number from -64 to 64".into()),
@@ -203,7 +209,8 @@ fn size(text: &str) -> Result<UVec2, String> {
     }
 }
 
-fn crop(text: &str) -> Result<Crop, String> {
+/// A rectangle of pixels.
+pub fn crop(text: &str) -> Result<Crop, String> {
     let numbers: Option<Vec<u32>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
     match numbers.as_deref() {
         Some(&[x0, x1, y0, y1]) if x0 < x1 && y0 < y1 => Ok(Crop { min: UVec2::new(x0, y0), max: UVec2::new(x1, y1) }),

@@ -4,6 +4,7 @@ use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 use super::bench::BenchError;
+use super::compare::ReadError;
 use crate::gpu::GpuError;
 use crate::scene::{Diagnostic, Diagnostics};
 use crate::shader::ShaderError;
@@ -21,6 +22,8 @@ pub enum Exit {
     Usage,
     /// No graphics adapter that can be used.
     NoAdapter,
+    /// Compared pictures differ by more than was allowed.
+    Differs,
     /// Interrupted; what there was has been written.
     Interrupted,
 }
@@ -33,6 +36,7 @@ impl Exit {
             Exit::Failed => 1,
             Exit::Usage => 2,
             Exit::NoAdapter => 3,
+            Exit::Differs => 4,
             Exit::Interrupted => 130,
         }
     }
@@ -119,6 +123,12 @@ impl From<Diagnostics> for Failure {
 
 impl From<ShaderError> for Failure {
     fn from(error: ShaderError) -> Self {
+        Self::of(error)
+    }
+}
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
         Self::of(error)
     }
 }

@@ -5,6 +5,7 @@
 mod arguments;
 pub mod bench;
 mod check;
+mod compare;
 mod doctor;
 mod failure;
 mod headless;
@@ -35,6 +36,7 @@ pub fn main() -> ExitCode {
     };
     let result = match arguments.command {
         Command::Render(render) => headless::render(&render, started),
+        Command::Compare(comparison) => compare::run(&comparison),
         Command::Check(check) => check::run(&check),
         Command::Doctor => doctor::run(),
         Command::Bench(bench) => bench.run(),

@@ -1,10 +1,13 @@
-//! The twin of every pass on the CPU, by the same names; f64 where it is an oracle.
+//! The twin of every pass on the CPU, by the same names; f64 where it is an oracle. And what is said of pictures: metrics
+//! and blocks.
 
+pub mod blocks;
 pub mod bsdf;
 pub mod connect;
 pub mod display;
 pub mod film;
 pub mod intersect;
+pub mod metrics;
 pub mod morton;
 pub mod oracle;
 pub mod path;

@@ -2,6 +2,7 @@
 //!
 //! Plain functions, no system: saving reads what the engine handed out, and never touches the world.
 
+use std::fs::File;
 use std::io::{BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
@@ -90,24 +91,32 @@ impl Output {
         self.temporary().map(drop).map_err(|source| self.failed(source))
     }
 
-    /// Writes the file under a temporary name beside its place, then renames it.
+    /// Writes the picture as its kind of file.
     pub fn write(&self, picture: &Picture) -> Result<(), SaveError> {
-        let folder = self.folder();
-        std::fs::create_dir_all(folder).map_err(|source| SaveError::Folder { folder: folder.to_path_buf(), source })?;
-        self.write_whole(picture).map_err(|source| self.failed(source))
+        self.write_by(|out| match self.kind {
+            Kind::Png => write_png(picture, out),
+            Kind::Exr => write_exr(picture, out),
+            Kind::Json => {
+                serde_json::to_writer_pretty(&mut *out, picture.report)?;
+                out.write_all(b"\n")
+            }
+        })
     }
 
-    fn write_whole(&self, picture: &Picture) -> std::io::Result<()> {
+    /// Writes the file by `content`, under a temporary name beside its place, then renames it.
+    pub fn write_by(
+        &self,
+        content: impl FnOnce(&mut BufWriter<&File>) -> std::io::Result<()>,
+    ) -> Result<(), SaveError> {
+        let folder = self.folder();
+        std::fs::create_dir_all(folder).map_err(|source| SaveError::Folder { folder: folder.to_path_buf(), source })?;
+        self.write_whole(content).map_err(|source| self.failed(source))
+    }
+
+    fn write_whole(&self, content: impl FnOnce(&mut BufWriter<&File>) -> std::io::Result<()>) -> std::io::Result<()> {
         let file = self.temporary()?;
         let mut out = BufWriter::new(file.as_file());
-        match self.kind {
-            Kind::Png => write_png(picture, &mut out)?,
-            Kind::Exr => write_exr(picture, &mut out)?,
-            Kind::Json => {
-                serde_json::to_writer_pretty(&mut out, picture.report)?;
-                out.write_all(b"\n")?;
-            }
-        }
+        content(&mut out)?;
         out.flush()?;
         drop(out);
         file.as_file().sync_data()?;

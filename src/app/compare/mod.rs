@@ -1,0 +1,191 @@
+//! `lucerna compare`: a picture against a reference.
+
+mod arguments;
+mod exr;
+#[cfg(feature = "flip")]
+mod flip;
+mod heat;
+mod read;
+mod report;
+
+use glam::{IVec2, UVec2};
+
+pub use arguments::CompareArguments;
+use arguments::Heat;
+pub use read::ReadError;
+use read::{Pixel, Source};
+
+use super::{Exit, Failure, output};
+use crate::components::Crop;
+use crate::cpu::blocks::{Blocks, Grid};
+use crate::cpu::display::srgb_byte;
+use crate::cpu::metrics::{Census, Difference, comparable, peak_signal_to_noise};
+
+/// Whether FLIP is built in.
+const HAS_FLIP: bool = cfg!(feature = "flip");
+
+/// Side of the smallest block, pixels.
+pub const LEAST_SIDE: u32 = 8;
+
+/// Blocks along the longer side, where nothing else is asked for.
+const BLOCKS: u32 = 16;
+
+/// One of the two pictures, as far as it is compared.
+#[derive(Debug)]
+struct Side {
+    name: String,
+    pixels: Vec<Pixel>,
+    census: Census,
+}
+
+/// All that is known about the two.
+#[derive(Debug)]
+struct Comparison {
+    /// Pixels compared.
+    size: UVec2,
+    /// The first of them, in what --crop counts.
+    origin: IVec2,
+    a: Side,
+    b: Side,
+    difference: Difference,
+    blocks: Blocks,
+    /// Decibels; `None` for equal pictures.
+    psnr: Option<f64>,
+    /// FLIP of every pixel; empty where it is not built in.
+    flip: Vec<f32>,
+}
+
+/// Pictures that are not to be compared with each other.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+enum CompareError {
+    #[error("the pictures differ in size: {a_name} is {}, {b_name} is {}", by(*a), by(*b))]
+    #[diagnostic(help("compare pictures of one size, or a part that both have with --crop"))]
+    Sizes { a_name: String, a: UVec2, b_name: String, b: UVec2 },
+    #[error("the pictures show different parts: {a_name} begins at {}, {b_name} at {}", at(*a), at(*b))]
+    #[diagnostic(help("compare a part that both have with --crop"))]
+    Places { a_name: String, a: IVec2, b_name: String, b: IVec2 },
+    #[error("--crop reaches beyond {name}, which has {} pixels from {}", by(*size), at(*place))]
+    #[diagnostic(help("choose a part that both pictures have"))]
+    Crop { name: String, size: UVec2, place: IVec2 },
+    #[error("no pixel is a finite number of at least 0 in both {a} and {b}")]
+    #[diagnostic(help("look at them one by one: one of them holds no picture"))]
+    Nothing { a: String, b: String },
+}
+
+/// Reads, compares and tells.
+pub fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
+    let heat = heat(arguments)?;
+    let (mut a, mut b) = (Source::open(&arguments.a)?, Source::open(&arguments.b)?);
+    let (windows, origin) = windows(&a, &b, arguments.crop).map_err(Failure::of)?;
+    if let Some(output) = &arguments.output {
+        output.prepare()?;
+    }
+    let sides = [side(&mut a, windows[0])?, side(&mut b, windows[1])?];
+    let comparison = compare(sides, windows[0].size(), origin, arguments).map_err(Failure::of)?;
+    if let (Some(output), Some(heat)) = (&arguments.output, heat) {
+        heat::write(&comparison, heat, output)?;
+    }
+    let exceeded = report::exceeded(&comparison, arguments);
+    match arguments.json {
+        true => output::print(&format!("{}\n", report::json(&comparison, arguments, &exceeded)))?,
+        false => output::print(&report::text(&comparison, arguments))?,
+    }
+    exceeded.iter().for_each(|line| output::note(line));
+    Ok(if exceeded.is_empty() { Exit::Done } else { Exit::Differs })
+}
+
+/// What the heat map is to show, if there is to be one; refuses FLIP where it is not built in.
+fn heat(arguments: &CompareArguments) -> Result<Option<Heat>, Failure> {
+    let chosen = arguments.heat.unwrap_or(if HAS_FLIP { Heat::Flip } else { Heat::Relative });
+    let wanted = arguments.output.is_some().then_some(chosen);
+    if !HAS_FLIP && (wanted == Some(Heat::Flip) || arguments.max_flip.is_some()) {
+        let help = "build it without --no-default-features, with a C++ compiler";
+        return Err(Failure::usage("this lucerna was built without FLIP", help));
+    }
+    Ok(wanted)
+}
+
+/// The window of each file, and where both begin.
+fn windows(a: &Source, b: &Source, crop: Option<Crop>) -> Result<([Crop; 2], IVec2), CompareError> {
+    let (a_name, b_name) = (a.path.display().to_string(), b.path.display().to_string());
+    // If one of them doesn't say where it belongs, both are taken to begin at the same place.
+    let places = a.place.zip(b.place).map_or([IVec2::ZERO; 2], |(a, b)| [a, b]);
+    if let Some(crop) = crop {
+        let within = |source: &Source, place: IVec2| {
+            let corner = |c: UVec2| (c.as_i64vec2() - place.as_i64vec2()).try_into().ok();
+            let window = corner(crop.min).zip(corner(crop.max)).map(|(min, max)| Crop { min, max });
+            let name = source.path.display().to_string();
+            let fits = |window: &Crop| window.max.cmple(source.size).all();
+            window.filter(fits).ok_or(CompareError::Crop { name, size: source.size, place })
+        };
+        return Ok(([within(a, places[0])?, within(b, places[1])?], crop.min.as_ivec2()));
+    }
+    if a.size != b.size {
+        return Err(CompareError::Sizes { a_name, a: a.size, b_name, b: b.size });
+    }
+    if places[0] != places[1] {
+        return Err(CompareError::Places { a_name, a: places[0], b_name, b: places[1] });
+    }
+    Ok(([Crop { min: UVec2::ZERO, max: a.size }; 2], places[0]))
+}
+
+fn side(source: &mut Source, window: Crop) -> Result<Side, Failure> {
+    let pixels = source.read(window)?;
+    let name = source.path.display().to_string();
+    for note in &source.notes {
+        output::note(&format!("{name}: {note}"));
+    }
+    Ok(Side { name, census: Census::of(&pixels), pixels })
+}
+
+fn compare(
+    [a, b]: [Side; 2],
+    size: UVec2,
+    origin: IVec2,
+    arguments: &CompareArguments,
+) -> Result<Comparison, CompareError> {
+    let difference = Difference::of(&a.pixels, &b.pixels);
+    let Some(difference) = difference else { return Err(CompareError::Nothing { a: a.name, b: b.name }) };
+    let side = arguments.block.unwrap_or_else(|| size.max_element().div_ceil(BLOCKS).max(LEAST_SIDE));
+    let blocks = Blocks::of(&a.pixels, &b.pixels, Grid::new(size, side));
+    let scale = f64::from(arguments.exposure).exp2();
+    let shown = [shown(&a.pixels, &b.pixels, scale), shown(&b.pixels, &a.pixels, scale)];
+    let psnr = peak_signal_to_noise(&shown[0], &shown[1], difference.pixels);
+    #[cfg(feature = "flip")]
+    let flip = flip::flip(&shown[0], &shown[1], size);
+    #[cfg(not(feature = "flip"))]
+    let flip = Vec::new();
+    Ok(Comparison { size, origin, a, b, difference, blocks, psnr, flip })
+}
+
+/// A picture as it would be displayed; black where either is bad, so that both are equal there.
+fn shown(picture: &[Pixel], other: &[Pixel], scale: f64) -> Vec<[u8; 3]> {
+    let byte = |channel: f32| srgb_byte(f64::from(channel) * scale);
+    let pixel = |(own, other): (&Pixel, &Pixel)| if comparable(*own, *other) { own.map(byte) } else { [0; 3] };
+    picture.iter().zip(other).map(pixel).collect()
+}
+
+impl Comparison {
+    /// Mean FLIP over the compared pixels.
+    fn mean_flip(&self) -> Option<f64> {
+        let pixels = self.a.pixels.iter().zip(&self.b.pixels);
+        let good = self.flip.iter().zip(pixels).filter(|(_, (a, b))| comparable(**a, **b));
+        let sum: f64 = good.map(|(error, _)| f64::from(*error)).sum();
+        (!self.flip.is_empty()).then(|| sum / self.difference.pixels as f64)
+    }
+
+    /// z of the block that a pixel is in; 0 where it has none.
+    fn z_at(&self, pixel: usize) -> f64 {
+        let width = self.size.x as usize;
+        let block = self.blocks.block_of(UVec2::new((pixel % width) as u32, (pixel / width) as u32));
+        block.worst().map_or(0.0, |(z, _)| z)
+    }
+}
+
+fn by(size: UVec2) -> String {
+    format!("{}x{}", size.x, size.y)
+}
+
+fn at(place: IVec2) -> String {
+    format!("{},{}", place.x, place.y)
+}
