@@ -4,6 +4,7 @@ pub mod bsdf;
 pub mod display;
 pub mod film;
 pub mod intersect;
+pub mod metrics;
 pub mod morton;
 pub mod path;
 pub mod rng;
