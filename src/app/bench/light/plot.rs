@@ -22,6 +22,9 @@ const RIGHT: f64 = 428.0;
 const TOP: f64 = 44.0;
 const BOTTOM: f64 = 284.0;
 
+/// Letters of the adapter's name that there is room for.
+const ADAPTER: usize = 46;
+
 /// Decades beyond the data on each side.
 const MARGIN: f64 = 0.12;
 
@@ -141,7 +144,7 @@ fn heading(bench: &Bench, scene: &SceneRecord) -> String {
          <text x=\"{LEFT}\" y=\"34\" fill=\"#555\">{width} × {height} pixels, depth {}, {seeds}; {}</text>\n",
         escaped(&scene.scene),
         scene.max_depth,
-        escaped(&bench.machine.adapter),
+        escaped(&shortened(&bench.machine.adapter, ADAPTER)),
     )
 }
 
@@ -174,7 +177,7 @@ fn band(line: &Line, x: Scale, y: Scale) -> String {
     let upper = line.points.iter().map(|p| (p.0, p.3));
     let lower = line.points.iter().rev().map(|p| (p.0, p.2));
     let corners: Vec<String> = upper.chain(lower).map(|(px, py)| format!("{:.2},{:.2}", x.of(px), y.of(py))).collect();
-    format!("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"0.16\"/>\n", corners.join(" "), STYLES[line.style].0)
+    format!("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"0.13\"/>\n", corners.join(" "), STYLES[line.style].0)
 }
 
 fn curve(line: &Line, x: Scale, y: Scale) -> String {
@@ -254,7 +257,7 @@ fn frame(x: Scale, y: Scale, axis: Axis) -> String {
     );
     let _ = writeln!(
         out,
-        "<text transform=\"translate(16 {centre}) rotate(-90)\" text-anchor=\"middle\" font-size=\"10\">relMSE (no unit)</text>"
+        "<text transform=\"translate(16 {centre}) rotate(-90)\" text-anchor=\"middle\" font-size=\"10\">relMSE (dimensionless)</text>"
     );
     out
 }
@@ -314,6 +317,14 @@ fn legend(lines: &[Line]) -> String {
         y + 3.1
     );
     out
+}
+
+/// As many letters of a text, the last of them an ellipsis if there are more.
+fn shortened(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some(_) => text.chars().take(most - 1).chain(['…']).collect(),
+        None => text.to_owned(),
+    }
 }
 
 /// Text as XML takes it.
