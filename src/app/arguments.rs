@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use glam::UVec2;
 
+use super::bench::light::{self, LightArguments};
 use super::compare::CompareArguments;
 use super::{Exit, Failure, bench};
 use crate::components::{Crop, Film, Integrator, Render, Sampler};
@@ -39,9 +40,8 @@ pub enum Command {
     Check(CheckArguments),
     /// Say what there is to draw with, and what is missing
     Doctor,
-    /// Time single stages of the engine
-    #[command(subcommand)]
-    Bench(BenchCommand),
+    /// Measure how the error of scenes falls with samples and time, or time single stages of the engine
+    Bench(Box<BenchArguments>),
 }
 
 #[derive(Debug, Args)]
@@ -106,15 +106,26 @@ pub struct CheckArguments {
     pub paths: Vec<PathBuf>,
 }
 
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES, args_conflicts_with_subcommands = true)]
+pub struct BenchArguments {
+    #[command(subcommand)]
+    pub command: Option<BenchCommand>,
+    #[command(flatten)]
+    pub light: LightArguments,
+}
+
 #[derive(Debug, Subcommand)]
 pub enum BenchCommand {
+    /// Measure how the error of scenes falls with samples and time: what `bench` does by itself
+    Scenes(LightArguments),
     /// Sort pairs of random 63-bit keys and 32-bit payloads
     Sort {
         /// Numbers of pairs
         #[arg(long = "n", value_name = "N,..", value_delimiter = ',', value_parser = count, default_value = "1Mi,8Mi")]
         counts: Vec<u32>,
         #[command(flatten)]
-        how: BenchArguments,
+        how: StageArguments,
     },
     /// Build the tree of generated triangles
     Build {
@@ -122,7 +133,7 @@ pub enum BenchCommand {
         #[arg(long, value_name = "N,..", value_delimiter = ',', value_parser = count, default_value = "100k,1M")]
         triangles: Vec<u32>,
         #[command(flatten)]
-        how: BenchArguments,
+        how: StageArguments,
     },
     /// Ask for hits: primary and diffuse-bounce rays into generated spheres
     Extend {
@@ -130,12 +141,12 @@ pub enum BenchCommand {
         #[arg(long, value_name = "N,..", value_delimiter = ',', value_parser = count, default_value = "100k,1M")]
         triangles: Vec<u32>,
         #[command(flatten)]
-        how: BenchArguments,
+        how: StageArguments,
     },
 }
 
 #[derive(Debug, Args)]
-pub struct BenchArguments {
+pub struct StageArguments {
     /// Timed runs after warm-up, at least 10
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(i64::from(bench::LEAST_RUNS)..=100_000))]
     pub runs: u32,
@@ -201,7 +212,7 @@ pub fn stops(text: &str) -> Result<f32, String> {
     }
 }
 
-fn size(text: &str) -> Result<UVec2, String> {
+pub(super) fn size(text: &str) -> Result<UVec2, String> {
     let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some(UVec2::new(w.parse().ok()?, h.parse().ok()?)));
     match sides {
         Some(size) if size.min_element() >= 1 && size.max_element() <= Film::MAX_SIDE => Ok(size),
@@ -245,15 +256,24 @@ fn output(text: &str) -> Result<Output, String> {
     })
 }
 
-impl BenchCommand {
-    /// Opens the device and runs the benchmark.
+impl BenchArguments {
+    /// Runs the benchmark; a single stage's on a device that is opened for it.
     pub fn run(self) -> Result<Exit, Failure> {
-        let gpu = Gpu::open()?;
-        match self {
-            BenchCommand::Sort { counts, how } => bench::sort::run(gpu, &counts, how.runs, how.json)?,
-            BenchCommand::Build { triangles, how } => bench::build::run(gpu, &triangles, how.runs, how.json)?,
-            BenchCommand::Extend { triangles, how } => bench::extend::run(gpu, &triangles, how.runs, how.json)?,
+        match self.command {
+            None => light::run(&self.light),
+            Some(BenchCommand::Scenes(light)) => light::run(&light),
+            Some(BenchCommand::Sort { counts, how }) => {
+                bench::sort::run(Gpu::open()?, &counts, how.runs, how.json)?;
+                Ok(Exit::Done)
+            }
+            Some(BenchCommand::Build { triangles, how }) => {
+                bench::build::run(Gpu::open()?, &triangles, how.runs, how.json)?;
+                Ok(Exit::Done)
+            }
+            Some(BenchCommand::Extend { triangles, how }) => {
+                bench::extend::run(Gpu::open()?, &triangles, how.runs, how.json)?;
+                Ok(Exit::Done)
+            }
         }
-        Ok(Exit::Done)
     }
 }

@@ -104,6 +104,7 @@ impl From<BenchError> for Failure {
     fn from(error: BenchError) -> Self {
         match error {
             BenchError::Gpu(error) => error.into(),
+            BenchError::Engine(error) => Self::engine(error),
             other => Self::of(other),
         }
     }

@@ -1,6 +1,7 @@
 //! Results go to stdout, and a reader that has gone is no error.
 
 use std::io::{ErrorKind, Write};
+use std::path::Path;
 
 use super::Failure;
 
@@ -26,4 +27,19 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// Prints a line to stderr, if anybody is there.
 pub fn note(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{text}");
+}
+
+/// Writes a file whole, under a temporary name beside its place that is then renamed, and makes the folders it lacks.
+pub fn write_file(path: &Path, text: &str) -> std::io::Result<()> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder)?;
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".lucerna-").suffix(".part");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(text.as_bytes())?;
+    file.as_file().sync_data()?;
+    file.persist(path).map_err(|failed| failed.error)?;
+    Ok(())
 }

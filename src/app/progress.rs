@@ -32,6 +32,8 @@ pub struct Goal {
 #[derive(Debug)]
 pub struct Meter {
     bar: ProgressBar,
+    /// Before every line.
+    label: String,
     shown: Shown,
     goal: Goal,
     begin: Instant,
@@ -67,6 +69,7 @@ impl Meter {
         let now = Instant::now();
         Self {
             bar,
+            label: String::new(),
             shown,
             goal,
             begin: now,
@@ -77,6 +80,12 @@ impl Meter {
             look_cost: Duration::ZERO,
             line: now,
         }
+    }
+
+    /// Says what goes on from now on, on the bar and before every line.
+    pub fn rename(&mut self, name: &str) {
+        self.bar.set_prefix(name.to_owned());
+        self.label = format!("{name}: ");
     }
 
     /// Since the beginning.
@@ -96,7 +105,7 @@ impl Meter {
             }
             Shown::Lines if self.line.elapsed() >= LINE => {
                 self.line = Instant::now();
-                output::note(&format!("{:3.0} %  {}", self.done() * 100.0, self.message()));
+                output::note(&format!("{:3.0} %  {}{}", self.done() * 100.0, self.label, self.message()));
             }
             Shown::Lines => {}
         }

@@ -108,6 +108,11 @@ impl Difference {
     }
 }
 
+/// relMSE of a picture against a reference, over the pixels that are good in both; 0 where none is.
+pub fn relative_mse<A: Sample, B: Sample>(image: &[[A; 3]], reference: &[[B; 3]]) -> f64 {
+    Difference::of(image, reference).map_or(0.0, |difference| difference.relative_mse)
+}
+
 /// Whether a pixel of A and its place in B are both good.
 pub fn comparable<A: Sample, B: Sample>(a: [A; 3], b: [B; 3]) -> bool {
     quality(a) == Quality::Good && quality(b) == Quality::Good

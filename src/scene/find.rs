@@ -31,6 +31,11 @@ pub fn find(name_or_path: &str) -> Result<PathBuf, Diagnostic> {
     Err(error(format!("there is no scene `{name_or_path}`")).help(names))
 }
 
+/// The names of all scenes in the folders of scenes, in order.
+pub fn names() -> Vec<String> {
+    known_scenes().into_keys().collect()
+}
+
 /// Every scene in the folders of scenes, by name; the first folder that has a name wins.
 fn known_scenes() -> BTreeMap<String, PathBuf> {
     let mut known = BTreeMap::new();

@@ -23,6 +23,6 @@ mod triangulate;
 pub use apply::apply;
 pub use check::{Checked, check};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
-pub use find::find;
+pub use find::{find, names};
 pub use load::{Loaded, MeshEntry, SceneDescription, load};
 pub use triangulate::triangulate;

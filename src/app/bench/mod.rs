@@ -1,10 +1,14 @@
-//! Benchmarks of single stages: medians over runs after warm-up, GPU time by pass, as a table or as JSON.
+//! Benchmarks. Of single stages: medians over runs after warm-up, GPU time by pass, as a table or as JSON. Of light
+//! transport as a whole: [`light`].
 
 pub mod build;
 pub mod extend;
+pub mod light;
 pub mod sort;
+pub mod statistics;
 
 use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use serde::Serialize;
@@ -14,6 +18,8 @@ use crate::gpu::{GpuError, Runtime};
 use crate::layout::tree::Triangle;
 use crate::passes::Recording;
 use crate::scene::generate;
+use crate::systems::EngineError;
+use crate::systems::save::SaveError;
 
 /// Runs before the first that counts: GPUs clock up only under load.
 const WARM_UP: u32 = 5;
@@ -33,6 +39,27 @@ pub enum BenchError {
     Json(#[from] serde_json::Error),
     #[error("can't write to stdout: {0}")]
     Print(#[from] std::io::Error),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Engine(#[from] EngineError),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Save(#[from] SaveError),
+    #[error("{}: {source}", path.display())]
+    File { path: PathBuf, source: std::io::Error },
+    #[error("{}: this is no bench.json: {source}", path.display())]
+    #[diagnostic(help("name the bench.json that `lucerna bench` wrote"))]
+    Earlier { path: PathBuf, source: serde_json::Error },
+    #[error("--reference cpu: there is no path tracer on the processor yet")]
+    #[diagnostic(help("use --reference gpu"))]
+    NoOracle,
+}
+
+impl BenchError {
+    /// Of a file that can't be read or written.
+    fn file(path: &Path, source: std::io::Error) -> Self {
+        Self::File { path: path.to_path_buf(), source }
+    }
 }
 
 /// Statistics of one quantity over the runs, in milliseconds.

@@ -1,0 +1,98 @@
+//! Films of independent seeds, each looked at as it grows.
+
+use super::configuration::Configuration;
+use super::record::{ConfigurationRecord, Run, Snapshot};
+use super::reference::Reference;
+use super::stage::{Stage, Watch};
+use crate::app::bench::BenchError;
+use crate::components::Render;
+use crate::cpu::metrics::relative_mse;
+
+/// Samples a pixel, at most, of the film before the first that counts: compiles, and lets the clocks rise.
+const WARM_UP_SPP: u32 = 16;
+
+/// Seed of the film that does not count: of no other film.
+const WARM_UP_SEED: u32 = u32::MAX;
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// Films of each configuration, of the seeds 0, 1, 2, ..
+    pub seeds: u32,
+    /// Samples a pixel of each film, at least 2.
+    pub spp: u32,
+}
+
+impl Extent {
+    /// Numbers of samples at which films are looked at: 1, 4, 16, .. and the last.
+    pub fn snapshots(&self) -> Vec<u32> {
+        let powers = (0..16).map(|power| 1 << (2 * power)).filter(|spp| *spp < self.spp);
+        powers.chain([self.spp]).collect()
+    }
+
+    /// Samples a pixel of all films of a configuration.
+    pub fn samples(&self) -> u64 {
+        u64::from(self.seeds) * u64::from(self.spp) + u64::from(self.warm_up())
+    }
+
+    fn warm_up(&self) -> u32 {
+        self.spp.min(WARM_UP_SPP)
+    }
+}
+
+/// Measures one configuration. After a signal, the films that were finished before it; none if there is none.
+///
+/// Time is that of the engine's batches alone: not that of compiling, of reading films back, of comparing them.
+pub fn measure(
+    stage: &mut Stage,
+    configuration: Configuration,
+    extent: Extent,
+    reference: &Reference,
+    watch: &mut Watch,
+) -> Result<Option<ConfigurationRecord>, BenchError> {
+    let render = configuration.of(&stage.render);
+    stage.set(Render { seed: WARM_UP_SEED, spp: extent.warm_up(), ..render });
+    let mut whole = stage.finish(watch)?;
+    let (mut runs, mut bad_samples) = (Vec::new(), 0);
+    for seed in 0..extent.seeds {
+        let run = if whole { film(stage, Render { seed, ..render }, extent, reference, watch)? } else { None };
+        match run {
+            Some((run, bad)) => {
+                runs.push(run);
+                bad_samples += bad;
+            }
+            None => whole = false,
+        }
+    }
+    Ok((!runs.is_empty()).then(|| ConfigurationRecord::of(configuration.to_string(), bad_samples, runs)))
+}
+
+/// One film, and its bad samples; none if a signal came before its end.
+fn film(
+    stage: &mut Stage,
+    render: Render,
+    extent: Extent,
+    reference: &Reference,
+    watch: &mut Watch,
+) -> Result<Option<(Run, u64)>, BenchError> {
+    let before = stage.report()?.seconds_trace;
+    let mut snapshots = Vec::new();
+    let mut bad_samples = 0;
+    for spp in extent.snapshots() {
+        stage.set(Render { spp, ..render });
+        if !stage.finish(watch)? {
+            return Ok(None);
+        }
+        let report = stage.report()?;
+        let film = stage.film()?;
+        bad_samples = report.bad_samples;
+        snapshots.push(Snapshot {
+            spp,
+            seconds: report.seconds_trace - before,
+            rays: report.rays,
+            relmse: relative_mse(&film.rgb, &reference.rgb) - reference.record.relmse,
+            claimed: (spp > 1).then_some(film.relative_error),
+        });
+    }
+    Ok(Some((Run { seed: render.seed, snapshots }, bad_samples)))
+}

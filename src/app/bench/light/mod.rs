@@ -1,0 +1,208 @@
+//! `bench [SCENE]...`: how the error of a film falls with its samples and its time, by integrator, sampler and roulette.
+//!
+//! Every configuration renders films of independent seeds. Their relMSE is taken against a reference of many more
+//! samples, whose own error is known and subtracted: E (I - R)^2 = var I + var R.
+
+pub mod against;
+mod arguments;
+pub mod configuration;
+mod key;
+mod measure;
+pub mod plot;
+pub mod record;
+mod reference;
+mod stage;
+pub mod tables;
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+pub use arguments::LightArguments;
+
+use super::BenchError;
+use crate::app::failure::show;
+use crate::app::interrupt::Interrupt;
+use crate::app::progress::{Goal, Meter};
+use crate::app::{Exit, Failure, output};
+use crate::gpu::Gpu;
+use crate::scene::{self, SceneDescription};
+use crate::shader::Library;
+use arguments::ReferenceBy;
+use record::{Bench, Machine, SceneRecord};
+use reference::{Reference, Shelf};
+use stage::{Stage, Watch};
+
+/// A scene to be measured.
+struct Subject {
+    description: SceneDescription,
+    shelf: Shelf,
+    /// If it was made before.
+    reference: Option<Reference>,
+}
+
+/// Measures, writes all files, and compares with an earlier benchmark if that is asked for.
+pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
+    let interrupt = Interrupt::listen();
+    let earlier = arguments.against.as_deref().map(against::read).transpose()?;
+    let library = Library::shipped();
+    let mut subjects = Vec::new();
+    for name in arguments.scenes()? {
+        subjects.push(subject(&name, arguments, &library)?);
+    }
+    let gpu = Gpu::open()?;
+    let mut bench = empty(&gpu, arguments);
+    let goal = Goal { samples: Some(samples(&subjects, arguments)), seconds: None };
+    let mut watch = Watch { meter: Meter::new("bench", goal, arguments.quiet), interrupt };
+    let mut fault = None;
+    for subject in subjects {
+        if let Err(error) = measure_scene(&gpu, &library, subject, arguments, &mut watch, &mut bench) {
+            fault = Some(error);
+            break;
+        }
+    }
+    watch.meter.finish();
+    bench.interrupted = watch.interrupt.asked() || fault.is_some();
+    let told = tell(&bench, arguments, earlier.as_ref())?;
+    match (fault, watch.interrupt.asked()) {
+        (Some(error), _) => Err(error.into()),
+        (None, true) => Ok(Exit::Interrupted),
+        (None, false) => Ok(told),
+    }
+}
+
+/// Reads a scene, and looks for its reference.
+fn subject(name: &str, arguments: &LightArguments, library: &Library) -> Result<Subject, Failure> {
+    let loaded = scene::load(&scene::find(name)?, &[])?;
+    if !arguments.quiet {
+        loaded.warnings.iter().for_each(|warning| show(warning));
+    }
+    let mut description = loaded.description;
+    if let Some(size) = arguments.size {
+        description.film.size = size;
+        // A crop in pixels is one of the scene's own size.
+        description.film.crop = None;
+    }
+    description.render.max_depth = arguments.max_depth.unwrap_or(description.render.max_depth);
+    let key = key::reference_key(&description, library)?;
+    let shelf = Shelf::new(&arguments.out, &description.name, key);
+    let reference = match arguments.reference {
+        ReferenceBy::Gpu => shelf.find(&description.film, arguments.reference_spp()),
+        ReferenceBy::Cpu => Some(reference::by_processor(&description, arguments.reference_spp())?),
+    };
+    Ok(Subject { description, shelf, reference })
+}
+
+fn empty(gpu: &Gpu, arguments: &LightArguments) -> Bench {
+    Bench {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        made: SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs()),
+        interrupted: false,
+        machine: Machine {
+            adapter: gpu.name(),
+            software: gpu.is_software(),
+            os: std::env::consts::OS.to_owned(),
+            architecture: std::env::consts::ARCH.to_owned(),
+            threads: std::thread::available_parallelism().map_or(1, usize::from),
+        },
+        seeds: arguments.seeds,
+        spp: arguments.spp,
+        scenes: Vec::new(),
+    }
+}
+
+/// All samples of all films, references that are missing included.
+fn samples(subjects: &[Subject], arguments: &LightArguments) -> u64 {
+    let one = |subject: &Subject| {
+        let size = subject.description.film.window().size();
+        let reference = if subject.reference.is_some() { 0 } else { arguments.reference_spp() };
+        let films = arguments.extent().samples() * arguments.configs.len() as u64;
+        (u64::from(size.x) * u64::from(size.y)).saturating_mul(films + u64::from(reference))
+    };
+    subjects.iter().map(one).fold(0, u64::saturating_add)
+}
+
+/// Measures every configuration of a scene. What was measured before a signal or an error is kept.
+fn measure_scene(
+    gpu: &Arc<Gpu>,
+    library: &Library,
+    subject: Subject,
+    arguments: &LightArguments,
+    watch: &mut Watch,
+    bench: &mut Bench,
+) -> Result<(), BenchError> {
+    let Subject { description, shelf, reference } = subject;
+    if watch.interrupt.asked() {
+        return Ok(());
+    }
+    let mut stage = Stage::open(gpu, library, &description)?;
+    let reference = match reference {
+        Some(reference) => reference,
+        None => {
+            watch.meter.rename(&format!("{}, reference", description.name));
+            let made = shelf.make(&mut stage, &description.film, arguments.reference_spp(), watch)?;
+            let Some(reference) = made else { return Ok(()) };
+            reference
+        }
+    };
+    let at = bench.scenes.len();
+    bench.scenes.push(SceneRecord {
+        scene: description.name.clone(),
+        size: description.film.window().size().to_array(),
+        max_depth: description.render.max_depth,
+        triangles: 0,
+        key: key::scene_key(&description),
+        reference: reference.record.clone(),
+        configurations: Vec::new(),
+    });
+    for configuration in &arguments.configs {
+        watch.meter.rename(&format!("{}, {configuration}", description.name));
+        let measured = measure::measure(&mut stage, *configuration, arguments.extent(), &reference, watch)?;
+        bench.scenes[at].configurations.extend(measured);
+    }
+    bench.scenes[at].triangles = stage.report()?.triangles;
+    Ok(())
+}
+
+/// Writes all files and says what they hold.
+fn tell(bench: &Bench, arguments: &LightArguments, earlier: Option<&Bench>) -> Result<Exit, Failure> {
+    let measured = bench.scenes.iter().any(|scene| !scene.configurations.is_empty());
+    if !measured {
+        output::note("nothing was measured: nothing was written");
+        return Ok(Exit::Failed);
+    }
+    let verdict = earlier.map(|earlier| against::compare(bench, earlier, arguments.tolerance / 100.0));
+    let json = serde_json::to_string_pretty(bench).map_err(BenchError::from)? + "\n";
+    let mut table = tables::markdown(bench);
+    if let Some(verdict) = &verdict {
+        table += &format!("\n{}", verdict.markdown());
+    }
+    let mut files = vec![
+        ("bench.json".to_owned(), json.clone()),
+        ("bench.csv".to_owned(), tables::csv(bench)),
+        ("bench.md".to_owned(), table.clone()),
+    ];
+    for scene in &bench.scenes {
+        for axis in [plot::Axis::Seconds, plot::Axis::Samples] {
+            files.extend(plot::svg(bench, scene, axis).map(|svg| (plot::file_name(scene, axis), svg)));
+        }
+    }
+    let mut names = String::new();
+    for (name, text) in &files {
+        let path = arguments.out.join(name);
+        output::write_file(&path, text).map_err(|source| BenchError::file(&path, source))?;
+        names += &format!("{}\n", path.display());
+    }
+    output::print(&if arguments.json { json } else { format!("{table}\n{names}") })?;
+    let Some(verdict) = verdict else { return Ok(Exit::Done) };
+    if arguments.json && !arguments.quiet {
+        output::note(&verdict.markdown());
+    }
+    Ok(if verdict.passed() { Exit::Done } else { Exit::Failed })
+}
+
+/// Reads a file of an earlier benchmark, or of anything else in JSON.
+fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, BenchError> {
+    let bytes = std::fs::read(path).map_err(|source| BenchError::file(path, source))?;
+    serde_json::from_slice(&bytes).map_err(|source| BenchError::Earlier { path: path.to_path_buf(), source })
+}

@@ -1,0 +1,109 @@
+//! The picture that errors are taken against: made once, and kept.
+
+use std::path::{Path, PathBuf};
+
+use super::configuration::Configuration;
+use super::record::ReferenceRecord;
+use super::stage::{Stage, Watch};
+use crate::app::bench::BenchError;
+use crate::app::output;
+use crate::components::{Film, Integrator, Render, Sampler};
+use crate::scene::SceneDescription;
+use crate::systems::save::{Output, Picture};
+
+/// The estimator that is trusted most: independent samples, no path ended early.
+const TRUSTED: Configuration = Configuration { integrator: Integrator::Path, sampler: Sampler::Pcg, roulette: false };
+
+/// Of no film that is measured: those have small seeds.
+const SEED: u32 = 0x9e37_79b9;
+
+/// A reference.
+pub struct Reference {
+    /// Linear Rec.709 radiance of the film's window, row by row from the top.
+    pub rgb: Vec<[f32; 3]>,
+    pub record: ReferenceRecord,
+}
+
+/// Where a reference of some key is kept.
+#[derive(Clone, Debug)]
+pub struct Shelf {
+    picture: PathBuf,
+    record: PathBuf,
+    /// Of the scene, and of the shaders.
+    key: String,
+}
+
+impl Shelf {
+    pub fn new(folder: &Path, scene: &str, key: String) -> Self {
+        let file = |extension: &str| folder.join("reference").join(format!("{scene}-{key}.{extension}"));
+        Self { picture: file("exr"), record: file("json"), key }
+    }
+
+    /// The reference, if it is there, whole, of the scene's size, and of enough samples.
+    pub fn find(&self, film: &Film, spp: u32) -> Option<Reference> {
+        let record: ReferenceRecord = serde_json::from_slice(&std::fs::read(&self.record).ok()?).ok()?;
+        let size = film.window().size();
+        let rgb = read_exr(&self.picture)?;
+        let fits = rgb.len() as u64 == u64::from(size.x) * u64::from(size.y);
+        (fits && record.key == self.key && record.spp >= spp).then_some(Reference { rgb, record })
+    }
+
+    /// Traces the reference, and keeps it. None if a signal came before it was done.
+    pub fn make(
+        &self,
+        stage: &mut Stage,
+        film: &Film,
+        spp: u32,
+        watch: &mut Watch,
+    ) -> Result<Option<Reference>, BenchError> {
+        let seconds = stage.report()?.seconds_trace;
+        stage.set(Render { seed: SEED, spp, ..TRUSTED.of(&stage.render) });
+        if !stage.finish(watch)? {
+            return Ok(None);
+        }
+        let (image, report) = (stage.film()?, stage.report()?);
+        let record = ReferenceRecord {
+            key: self.key.clone(),
+            by: TRUSTED.to_string(),
+            seed: SEED,
+            spp,
+            relmse: image.relative_error,
+            adapter: report.adapter,
+            seconds: report.seconds_trace - seconds,
+        };
+        let reference = Reference { rgb: image.rgb, record };
+        self.keep(&reference, film)?;
+        Ok(Some(reference))
+    }
+
+    /// The record is written last: a picture without one is not found.
+    fn keep(&self, reference: &Reference, film: &Film) -> Result<(), BenchError> {
+        let record = serde_json::to_string_pretty(&reference.record)? + "\n";
+        let metadata = [("reference", record.clone())];
+        let picture = Picture {
+            size: film.size,
+            window: film.window(),
+            linear: &reference.rgb,
+            display: &[],
+            metadata: &metadata,
+            report: &serde_json::Value::Null,
+        };
+        Output::new(&self.picture)?.write(&picture)?;
+        output::write_file(&self.record, &record).map_err(|source| BenchError::file(&self.record, source))
+    }
+}
+
+/// The reference by the path tracer in f64 on the processor.
+pub fn by_processor(_: &SceneDescription, _: u32) -> Result<Reference, BenchError> {
+    Err(BenchError::NoOracle)
+}
+
+/// The pixels of a file; none if it isn't there, or is broken.
+fn read_exr(path: &Path) -> Option<Vec<[f32; 3]>> {
+    let image = exr::prelude::read_first_rgba_layer_from_file(
+        path,
+        |size, _| (size.width(), vec![[0.0; 3]; size.area()]),
+        |(width, pixels), at, (r, g, b, _): (f32, f32, f32, f32)| pixels[at.y() * *width + at.x()] = [r, g, b],
+    );
+    Some(image.ok()?.layer_data.channel_data.pixels.1)
+}

@@ -1,0 +1,69 @@
+//! An open scene whose film is traced again and again: with other settings, and to some number of samples.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::app::bench::BenchError;
+use crate::app::interrupt::Interrupt;
+use crate::app::progress::Meter;
+use crate::components::Render;
+use crate::gpu::Gpu;
+use crate::scene::SceneDescription;
+use crate::shader::Library;
+use crate::systems::{Engine, FilmImage, Report};
+
+/// Tracing between two looks at signals: as long as that of a headless render.
+const STEP: Duration = Duration::from_millis(100);
+
+/// Shows how far all is, and listens for signals.
+pub struct Watch {
+    pub meter: Meter,
+    pub interrupt: Interrupt,
+}
+
+/// One scene on the device.
+pub struct Stage {
+    engine: Engine,
+    /// The settings of the scene.
+    pub render: Render,
+}
+
+impl Stage {
+    /// Opens a scene. Nothing is traced yet.
+    pub fn open(gpu: &Arc<Gpu>, library: &Library, description: &SceneDescription) -> Result<Self, BenchError> {
+        let engine = Engine::open(gpu.clone(), library.clone(), description)?;
+        Ok(Self { engine, render: description.render })
+    }
+
+    /// Changes the settings, number of samples included: where they are others than before, the film starts anew.
+    pub fn set(&mut self, render: Render) {
+        self.engine.edit(|world| {
+            for mut held in world.query::<&mut Render>().iter_mut(world) {
+                *held = render;
+            }
+        });
+    }
+
+    /// Traces until the film is finished. False if a signal came before that.
+    pub fn finish(&mut self, watch: &mut Watch) -> Result<bool, BenchError> {
+        loop {
+            let step = self.engine.step(STEP)?;
+            watch.meter.advance(step.samples, step.spp);
+            match (step.finished, watch.interrupt.asked()) {
+                (true, _) => return Ok(true),
+                (false, true) => return Ok(false),
+                (false, false) => {}
+            }
+        }
+    }
+
+    /// Reads the film back.
+    pub fn film(&mut self) -> Result<FilmImage, BenchError> {
+        Ok(self.engine.film()?)
+    }
+
+    /// What was done since the scene was opened.
+    pub fn report(&mut self) -> Result<Report, BenchError> {
+        Ok(self.engine.report()?)
+    }
+}
