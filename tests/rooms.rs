@@ -142,13 +142,6 @@ impl Room {
             layers: 1,
             max_depth: 8,
             root: root(self.triangles.len() as u32),
-            triangles: self.triangles.len() as u32,
-            extent: self
-                .triangles
-                .iter()
-                .flat_map(|t| [t.a, t.b, t.c])
-                .map(|p| p.abs().max_element())
-                .fold(0.0, f32::max),
             seed: 1,
             ..TraceParams::default()
         };
@@ -180,15 +173,13 @@ impl Room {
         let normals = !self.shading.is_empty();
         let (materials, environment, roulette) = (&self.materials[..], self.environment, self.roulette);
         let lights = !self.lights().lights.is_empty();
-        let tree = trace::needs_tree(self.triangles.len() as u32);
         let sobol = self.sampler == Source::Sobol;
-        trace::Needs { materials, environment, normals, roulette, lights, tree, sobol, ..Default::default() }.features()
+        trace::Needs { materials, environment, normals, roulette, lights, sobol, ..Default::default() }.features()
     }
 
     /// Uploads the scene and its tree, and switches its features on.
     pub fn load(&self, rig: &mut Runtime) {
         let tree = tree::build(&self.triangles);
-        rig.upload("triangles", &self.triangles).unwrap();
         if self.next_event {
             rig.upload("lights", &self.lights().lights).unwrap();
         }

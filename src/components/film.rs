@@ -83,9 +83,9 @@ impl Default for Render {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
     /// Directions from the BSDF alone; light is found by hitting it.
-    #[default]
     Bsdf,
     /// The same, and at every surface a light is asked directly; both ways are weighted together.
+    #[default]
     Path,
 }
 
@@ -93,9 +93,9 @@ pub enum Integrator {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sampler {
     /// Owen-scrambled Sobol points: the samples of a pixel are spread evenly over what they are drawn for.
+    #[default]
     Sobol,
     /// Independent numbers by a hash: the reference.
-    #[default]
     Pcg,
 }
 

@@ -111,10 +111,6 @@ gpu_struct! {
         pub cone_spread: f32,
         /// Radiance above this does not fit the film.
         pub largest: f32,
-        /// Number of triangles.
-        pub triangles: u32,
-        /// The greatest coordinate of the scene's box.
-        pub extent: f32,
         /// Number of emitting triangles.
         pub lights: u32,
         /// Probability of asking one of them, and not the sky.
@@ -126,6 +122,8 @@ gpu_struct! {
         /// Pixels of the sky.
         pub sky_width: u32,
         pub sky_height: u32,
+        pub pad0: u32,
+        pub pad1: u32,
     }
 
     /// One sample of one pixel, as the trace kernel leaves it for the film.

@@ -14,7 +14,7 @@ pub static PATH: Pass = Pass {
     module: "passes/trace/path",
     entry: "path",
     bindings: &[
-        Binding::read("nodes", "array<Node>").when(&["tree"]),
+        Binding::read("nodes", "array<Node>"),
         Binding::read("leaves", "array<Triangle>"),
         Binding::params("TraceParams"),
         Binding::read("materials", "array<MaterialRecord>"),
@@ -44,18 +44,7 @@ pub fn buffers(pixels: u64, layers: u32) -> Vec<(&'static str, u64)> {
 /// Records `params.layers` samples of every pixel of the window into `radiance`.
 pub fn record(recording: &mut Recording, params: &TraceParams) {
     let size = Size::Pixels { width: params.window_width, height: params.window_height, layers: params.layers };
-    let call = recording.run(&PATH, size).params(params);
-    if !needs_tree(params.triangles) {
-        call.bind("leaves", "triangles");
-    }
-}
-
-/// Most triangles that a ray is better tested against one by one. Measured on an H200 and on lavapipe: MEASUREMENTS.md.
-pub const FEW_TRIANGLES: u32 = 64;
-
-/// Whether a scene of so many triangles has a tree. Without one, rays go through `triangles`, and nothing is built.
-pub fn needs_tree(triangles: u32) -> bool {
-    triangles > FEW_TRIANGLES
+    recording.run(&PATH, size).params(params);
 }
 
 /// What a scene and its settings ask of the kernel.
@@ -70,8 +59,6 @@ pub struct Needs<'a> {
     pub sky_light: bool,
     /// Emitting triangles are asked directly.
     pub lights: bool,
-    /// Rays have a tree to go through.
-    pub tree: bool,
     /// Some mesh has normals of its own.
     pub normals: bool,
     /// Russian roulette.
@@ -100,7 +87,6 @@ impl Needs<'_> {
             ("sky_light", self.sky_light),
             ("sobol", self.sobol),
             ("thin", any(|m| m.transparency > 0.0)),
-            ("tree", self.tree),
         ];
         wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }

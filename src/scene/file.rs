@@ -7,7 +7,7 @@ use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 use super::diagnostic::{Diagnostic, Severity};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::suggest::known_names;
-use crate::components::{Camera, Crop, Energy, Environment, Film, Integrator, Material, Render, Sampler};
+use crate::components::{Camera, Crop, Energy, Film, Integrator, Material, Render, Sampler};
 
 /// The camera of scenes that have none.
 pub const DEFAULT_CAMERA: &str = "default";
@@ -21,7 +21,7 @@ pub struct SceneFile {
     pub active: Option<String>,
     pub film: Film,
     pub render: Render,
-    pub environment: Option<Environment>,
+    pub environment: Option<EnvironmentEntry>,
     /// Sorted by name; full keys (`model:material`) after bare names, so that they win.
     pub materials: Vec<MaterialEntry>,
 }
@@ -36,6 +36,19 @@ pub struct ModelEntry {
     pub transform: DAffine3,
     /// An error about this entry, without its message.
     pub place: Diagnostic,
+}
+
+/// Light from beyond the scene; its picture is not read yet.
+#[derive(Debug)]
+pub enum EnvironmentEntry {
+    Constant(Vec3),
+    Map {
+        /// As written: relative to the scene file's folder.
+        path: String,
+        strength: f32,
+        /// An error about this entry, without its message.
+        place: Box<Diagnostic>,
+    },
 }
 
 /// Changes to the materials of one name.
@@ -102,7 +115,7 @@ pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
     if let Some(node) = fields.get("render") {
         file.render = read_render(reader, node).unwrap_or_default();
     }
-    file.environment = fields.read("environment", read_environment);
+    file.environment = fields.get("environment").and_then(|node| read_environment(reader, node));
     if let Some(node) = fields.get("materials") {
         file.materials = read_map(reader, node, "materials", |reader, node, path| {
             Some((read_material(reader, node, path)?, node.text.error(node.source, "")))
@@ -275,19 +288,34 @@ fn read_render(reader: &Reader, node: &Node) -> Option<Render> {
     Some(render)
 }
 
-/// `Constant((r, g, b))`, with or without the inner parentheses, or `Constant(grey)`.
-fn read_environment(node: &Node) -> Result<Environment, String> {
-    match &node.kind {
+/// `Constant((r, g, b))`, with or without the inner parentheses, or `Constant(grey)`; or `Map(path: "sky.exr", strength: 1)`.
+fn read_environment(reader: &Reader, node: &Node) -> Option<EnvironmentEntry> {
+    let constant = match &node.kind {
         Kind::Variant("Constant", Some(content)) => {
             let inner = match &content.kind {
                 Kind::Items(items) if items.len() == 1 => &items[0],
                 _ => content,
             };
-            inner.colour(1e6).map(Environment::Constant)
+            inner.colour(1e6).map(EnvironmentEntry::Constant)
         }
-        Kind::Variant("Map", _) => Err("environment maps are not supported yet: use Constant((r, g, b))".into()),
-        _ => Err(format!("expected Constant((r, g, b)), found {}", node.describe())),
-    }
+        Kind::Variant("Map", Some(content)) => return read_map_environment(reader, content),
+        _ => {
+            let found = node.describe();
+            Err(format!("expected Constant((r, g, b)) or Map(path: \"sky.exr\"), found {found}"))
+        }
+    };
+    constant.map_err(|message| reader.error(node, "environment", message)).ok()
+}
+
+/// `(path: "sky.exr", strength: 1)`
+fn read_map_environment(reader: &Reader, node: &Node) -> Option<EnvironmentEntry> {
+    let fields = Fields::open(reader, node, "environment")?;
+    let place = Box::new(node.text.error(fields.get("path").map_or(node.source, |path| path.source), ""));
+    let path = fields.require("path", Node::string);
+    let strength = fields.read("strength", |node| node.number(0.0, 1e6)).unwrap_or(1.0) as f32;
+    let sound = fields.finish();
+    let entry = EnvironmentEntry::Map { path: path?, strength, place };
+    sound.then_some(entry)
 }
 
 /// `(kd: (..), ks: (..), ns: 64, ke: (..), ..)`, all optional.

@@ -7,8 +7,9 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
-use super::file::{DEFAULT_CAMERA, MaterialEntry, ModelEntry, SceneFile, read_scene};
+use super::file::{DEFAULT_CAMERA, EnvironmentEntry, MaterialEntry, ModelEntry, SceneFile, read_scene};
 use super::obj::{Model, read_obj};
+use super::picture::read_picture;
 use super::ron::{Reader, apply_defines, define_texts, parse};
 use super::suggest::known_names;
 use super::text::Text;
@@ -98,6 +99,7 @@ impl Loader {
             self.edit_materials(entry, &mut materials);
         }
         let cameras = if file.cameras.is_empty() { default_camera(&meshes, &file) } else { file.cameras };
+        let environment = file.environment.and_then(|entry| self.read_environment(folder, entry));
         let active = file.active.or_else(|| cameras.keys().next().cloned())?;
         Some(SceneDescription {
             name: stem(scene),
@@ -107,7 +109,7 @@ impl Loader {
             active,
             film: file.film,
             render: file.render,
-            environment: file.environment,
+            environment,
         })
     }
 
@@ -136,6 +138,34 @@ impl Loader {
             file.models.insert(0, ModelEntry { path, name: None, transform: DAffine3::IDENTITY, place });
         }
         Some(file)
+    }
+
+    /// The environment, with its picture.
+    fn read_environment(&mut self, folder: &Path, entry: EnvironmentEntry) -> Option<Environment> {
+        let (path, strength, place) = match entry {
+            EnvironmentEntry::Constant(radiance) => return Some(Environment::Constant(radiance)),
+            EnvironmentEntry::Map { path, strength, place } => (folder.join(path.replace('\\', "/")), strength, place),
+        };
+        self.files.push(path.clone());
+        match read_picture(&path) {
+            Ok(picture) => {
+                if picture.mended > 0 {
+                    let message = format!(
+                        "{} pixels of `{}` are negative, no number or above 1e6: they are black, or 1e6",
+                        picture.mended,
+                        path.display()
+                    );
+                    self.diagnostics.push(Diagnostic { message, severity: Severity::Warning, ..*place });
+                }
+                Some(Environment::Map { image: Arc::new(picture.map), strength })
+            }
+            Err(why) => {
+                let message = format!("can't use `{}` as an environment: {why}", path.display());
+                let help = "it is an EXR, HDR or PNG file by longitude and latitude; its path is relative to the folder of the scene file";
+                self.diagnostics.push(Diagnostic { message, ..*place }.help(help));
+                None
+            }
+        }
     }
 
     /// Adds the meshes and materials of one model under names of its own.

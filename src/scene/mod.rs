@@ -15,6 +15,7 @@ mod lines;
 mod load;
 mod mtl;
 mod obj;
+mod picture;
 mod ron;
 mod suggest;
 mod text;

@@ -78,12 +78,6 @@ pub struct PackedScene {
 }
 
 impl PackedScene {
-    /// The greatest coordinate of all triangles, as the GPU has them; 0 without any.
-    pub fn extent(&self) -> f32 {
-        let corner = |corner: DVec3| (corner - self.origin).as_vec3().abs().max_element();
-        if self.triangles == 0 { 0.0 } else { corner(self.low).max(corner(self.high)) }
-    }
-
     /// Has everything sent again.
     pub fn send_again(&mut self) {
         (self.sent, self.lights_sent, self.sky_sent) = (false, false, false);

@@ -8,7 +8,6 @@ use crate::layout::alias::AliasColumn;
 use crate::layout::light::LightRecord;
 use crate::layout::trace::{MaterialRecord, Shading};
 use crate::layout::tree::Triangle;
-use crate::passes::trace::needs_tree;
 use crate::passes::{build, film};
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -38,10 +37,8 @@ fn upload_changed_triangles(
     let count = u64::from(scene.triangles);
     let device = &mut device.0;
     device.reserve("triangles", count * size_of::<Triangle>() as u64)?;
-    if needs_tree(scene.triangles) {
-        for (name, bytes) in build::buffers(scene.triangles) {
-            device.reserve(name, bytes)?;
-        }
+    for (name, bytes) in build::buffers(scene.triangles) {
+        device.reserve(name, bytes)?;
     }
     for (first, triangles) in std::mem::take(&mut pending.triangles) {
         device.write("triangles", u64::from(first), &triangles)?;

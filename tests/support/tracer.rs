@@ -12,8 +12,8 @@ use lucerna::shader::Library;
 const BRUTE_WGSL: &str = "
 import package::gen::{ExtendParams, Hit, Ray, LEAF_BIT, NO_HIT, NO_ROOT};
 import package::lib::intersect::{prepare_query};
-import package::passes::trace::scene::{leaves, nodes, scene_extent};
-import package::passes::trace::traverse::{test_leaf};
+import package::passes::trace::leaf::{test_leaf};
+import package::passes::trace::scene::{nodes, scene_extent};
 
 @group(0) @binding(2) var<storage, read> params: ExtendParams;
 @group(0) @binding(3) var<storage, read> rays: array<Ray>;
@@ -35,7 +35,7 @@ fn extend_brute(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups
             count = nodes[params.root].leaves;
         }
         for (var leaf = 0u; leaf < count; leaf += 1u) {
-            test_leaf(query, leaf, &hit);
+            test_leaf(query, leaf, NO_HIT, &hit);
         }
     }
     hits[index] = hit;

@@ -25,8 +25,7 @@ import package::lib::rng::{sample_1d, sample_2d};
 import package::passes::trace::scene::{leaves};
 @if(sky || sky_light) import package::passes::trace::sky::{sky_radiance};
 @if(sky_light) import package::passes::trace::sky::{sky_pdf};
-@if(!tree) import package::passes::trace::sweep::{sweep};
-@if(tree) import package::passes::trace::traverse::{traverse};
+import package::passes::trace::traverse::{traverse};
 
 @group(0) @binding(2) var<storage, read> params: TraceParams;
 @group(0) @binding(3) var<storage, read> materials: array<MaterialRecord>;
@@ -89,12 +88,7 @@ fn segment_ray(state: PathState) -> Ray {
 // The ray of a path: a segment of it, or a look at a light.
 fn extend(state: ptr<function, PathState>, ray: Ray, looking: bool, except: u32) -> Hit {
     (*state).rays += 1u;
-    @if(tree) {
-        return traverse(ray, params.root, looking, except);
-    }
-    @if(!tree) {
-        return sweep(ray, params.triangles, params.extent, looking, except);
-    }
+    return traverse(ray, params.root, looking, except);
 }
 
 // Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel.
@@ -262,7 +256,7 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
         var alive = true;
         var connection: Connection;
         for (var i = 0u; i < 2u * params.max_depth; i++) {
-            let hit = extend(&state, ray, looking, connection.triangle);
+            let hit = extend(&state, ray, looking, select(NO_HIT, connection.triangle, looking));
             if (looking) {
                 looking = false;
                 if (hit.triangle == NO_HIT) {

@@ -7,7 +7,7 @@ use crate::components::{Active, Camera, Environment, Film, Integrator, Name, Ren
 use crate::layout::film::film_exponent;
 use crate::layout::trace::TraceParams;
 use crate::layout::tree::root;
-use crate::passes::trace::{Lighting, Needs, View, largest_emission, needs_tree};
+use crate::passes::trace::{Lighting, Needs, View, largest_emission};
 use crate::systems::EngineError;
 use crate::systems::state::{Dirty, FilmProgress, PackedScene};
 
@@ -39,8 +39,6 @@ pub fn extract_changed_shot(
         seed: render.seed,
         max_depth: render.max_depth.max(1),
         root: root(scene.triangles),
-        triangles: scene.triangles,
-        extent: scene.extent(),
         ..Default::default()
     };
     let view = View { position: camera.position, look_at: camera.look_at, up: camera.up, fov_y: camera.fov_y };
@@ -61,7 +59,6 @@ pub fn extract_changed_shot(
         sky: sky.is_some(),
         sky_light: lighting.sky_power > 0.0,
         lights: lighting.lights > 0,
-        tree: needs_tree(scene.triangles),
         normals: scene.normals,
         roulette: render.roulette,
         sobol: render.sampler == Sampler::Sobol,
