@@ -302,7 +302,6 @@ fn what_bench_cannot_do_is_refused() {
         (&["bench", "cornell-box", "--configs", "pth+pcg"], 2, "pth"),
         (&["bench", "cornell-box", "--seeds", "0"], 2, "--seeds"),
         (&["bench", "cornell-box", "--against", "none.json"], 1, "none.json"),
-        (&["bench", "scenes", "cornell-box", "--reference", "cpu"], 1, "--reference cpu"),
     ];
     for (arguments, code, word) in cases {
         let run = lucerna(folder.path(), arguments);

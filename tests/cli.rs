@@ -146,7 +146,7 @@ const MISTAKES: &[Mistake] = &[
     ("a.ron", b"(film: (size: (0, 5)))", "a.ron:1", "size"),
     ("a.ron", b"(film: (size: (5, 5))", "a.ron:1", ""),
     ("a.ron", b"\xff\xfe\x00\x01", "a.ron", ""),
-    ("a.ron", b"(environment: Map(path: \"x.exr\"))", "a.ron:1", "Constant"),
+    ("a.ron", b"(environment: Map(path: \"x.exr\"))", "a.ron:1", "x.exr"),
     ("a.ron", b"(models: [(path: \"a.obj\")], materials: { \"gray\": (kd: (1, 1, 1)) })", "a.ron:1", "grey"),
 ];
 

@@ -136,12 +136,12 @@ fn plain_room() -> Room {
 #[test]
 fn asking_lights_changes_no_mean() {
     let room = plain_room();
-    // 80,000 paths a block: the standard error stays below 0.3 %.
-    let params = TraceParams { layers: 40, ..room.params(UVec2::splat(16)) };
+    // 330,000 paths: the standard error stays below 0.3 %.
+    let params = TraceParams { layers: 160, ..room.params(UVec2::splat(8)) };
     let mut found = support::rig();
     room.load(&mut found);
     let asking = Room { next_event: true, ..plain_room() };
-    let asking_params = TraceParams { layers: 40, ..asking.params(UVec2::splat(16)) };
+    let asking_params = TraceParams { layers: 160, ..asking.params(UVec2::splat(8)) };
     let mut agree = |library: Library| {
         let mut asked = Runtime::new(support::gpu(), library);
         asking.load(&mut asked);
@@ -151,9 +151,10 @@ fn asking_lights_changes_no_mean() {
         )
     };
     agree(Library::shipped()).unwrap();
-    // One percent, of the weight, of the density, of the part that is found.
+    // Two independent estimates of a quarter of a percent each, 6.4 errors apart; one percent is seen against the twin, which draws
+    // the same numbers.
     let text = std::fs::read_to_string("shaders/lib/light.wgsl").unwrap();
-    let (right, wrong) = ("return 1.0 / (1.0 + ratio * ratio);", "return 1.01 / (1.0 + ratio * ratio);");
+    let (right, wrong) = ("return 1.0 / (1.0 + ratio * ratio);", "return 1.03 / (1.0 + ratio * ratio);");
     assert!(text.contains(right), "lib/light has changed: plant the error elsewhere");
     assert!(
         agree(Library::shipped().with("lib/light", &text.replace(right, wrong))).is_err(),
@@ -164,7 +165,7 @@ fn asking_lights_changes_no_mean() {
 #[test]
 fn samplers_agree() {
     let room = Room { roulette: true, next_event: true, ..plain_room() };
-    let params = TraceParams { layers: 40, ..room.params(UVec2::splat(16)) };
+    let params = TraceParams { layers: 160, ..room.params(UVec2::splat(8)) };
     let mut pcg = support::rig();
     room.load(&mut pcg);
     let mut sobol = support::rig();
@@ -179,16 +180,20 @@ fn samplers_agree() {
 
 #[test]
 fn an_error_of_one_percent_is_seen() {
-    let room = Room::cornell();
-    for (module, right, wrong) in [
-        ("lib/bsdf/mixture", "at.value / at.pdf", "1.01 * at.value / at.pdf"),
-        ("lib/light", "select(material.emission,", "select(0.99 * material.emission,"),
-        ("lib/bsdf/phong", "0.5 * INV_PI * (n + 1.0)", "0.505 * INV_PI * (n + 1.0)"),
+    let found = Room::cornell();
+    let asked = Room { next_event: true, ..Room::cornell() };
+    for (room, module, right, wrong) in [
+        (&found, "lib/bsdf/mixture", "at.value / at.pdf", "1.01 * at.value / at.pdf"),
+        (&found, "lib/light", "select(material.emission,", "select(0.99 * material.emission,"),
+        (&found, "lib/bsdf/phong", "0.5 * INV_PI * (n + 1.0)", "0.505 * INV_PI * (n + 1.0)"),
+        (&asked, "lib/light", "return 1.0 / (1.0 + ratio * ratio);", "return 1.01 / (1.0 + ratio * ratio);"),
+        (&asked, "passes/trace/connect", "return area_pdf * (t * t", "return 1.02 * area_pdf * (t * t"),
+        (&asked, "lib/bsdf/lambert", "return kd * (INV_PI", "return kd * (1.01 * INV_PI"),
     ] {
         let text = std::fs::read_to_string(format!("shaders/{module}.wgsl")).unwrap();
         assert!(text.contains(right), "{module} has changed: plant the error elsewhere");
         let library = Library::shipped().with(module, &text.replace(right, wrong));
-        assert!(against_twin(&room, library, &small(&room)).is_err(), "{wrong} in {module} went unnoticed");
+        assert!(against_twin(room, library, &small(room)).is_err(), "{wrong} in {module} went unnoticed");
     }
 }
 

@@ -5,7 +5,7 @@ pub trait Sample: Copy + Into<f64> {}
 impl<T: Copy + Into<f64>> Sample for T {}
 
 /// Keeps the error of black pixels finite (Rousselle, Knaus, Zwicker 2012).
-const DARK: f64 = 0.01;
+pub const DARK: f64 = 0.01;
 
 /// What a pixel is, by the worst of its channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -14,6 +14,7 @@ use std::time::Instant;
 use serde::Serialize;
 
 use super::output;
+use crate::cpu::oracle::OracleError;
 use crate::gpu::{GpuError, Runtime};
 use crate::layout::tree::Triangle;
 use crate::passes::Recording;
@@ -50,9 +51,8 @@ pub enum BenchError {
     #[error("{}: this is no bench.json: {source}", path.display())]
     #[diagnostic(help("name the bench.json that `lucerna bench` wrote"))]
     Earlier { path: PathBuf, source: serde_json::Error },
-    #[error("--reference cpu: there is no path tracer on the processor yet")]
-    #[diagnostic(help("use --reference gpu"))]
-    NoOracle,
+    #[error("no reference: {0}")]
+    Oracle(#[from] OracleError),
 }
 
 impl BenchError {

@@ -85,10 +85,12 @@ fn subject(name: &str, arguments: &LightArguments, library: &Library) -> Result<
     }
     description.render.max_depth = arguments.max_depth.unwrap_or(description.render.max_depth);
     let key = key::reference_key(&description, library)?;
+    let key = if arguments.reference == ReferenceBy::Cpu { format!("cpu-{key}") } else { key };
     let shelf = Shelf::new(&arguments.out, &description.name, key);
-    let reference = match arguments.reference {
-        ReferenceBy::Gpu => shelf.find(&description.film, arguments.reference_spp()),
-        ReferenceBy::Cpu => Some(reference::by_processor(&description, arguments.reference_spp())?),
+    let spp = arguments.reference_spp();
+    let reference = match (shelf.find(&description.film, spp), arguments.reference) {
+        (None, ReferenceBy::Cpu) => Some(shelf.make_on_processor(&description, spp, arguments.quiet)?),
+        (found, _) => found,
     };
     Ok(Subject { description, shelf, reference })
 }

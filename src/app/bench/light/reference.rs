@@ -1,14 +1,21 @@
 //! The picture that errors are taken against: made once, and kept.
 
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::time::Instant;
+
+use bevy_ecs::prelude::World;
 
 use super::configuration::Configuration;
 use super::record::ReferenceRecord;
 use super::stage::{Stage, Watch};
 use crate::app::bench::BenchError;
 use crate::app::output;
+use crate::app::progress::{Goal, Meter};
 use crate::components::{Film, Integrator, Render, Sampler};
-use crate::scene::SceneDescription;
+use crate::cpu::metrics::DARK;
+use crate::cpu::oracle::{self, Oracle};
+use crate::scene::{self, SceneDescription};
 use crate::systems::save::{Output, Picture};
 
 /// The estimator that is trusted most: independent samples, no path ended early.
@@ -76,6 +83,47 @@ impl Shelf {
         Ok(Some(reference))
     }
 
+    /// Traces the reference in f64 on the processor, and keeps it.
+    pub fn make_on_processor(
+        &self,
+        description: &SceneDescription,
+        spp: u32,
+        quiet: bool,
+    ) -> Result<Reference, BenchError> {
+        let mut world = World::new();
+        scene::apply(&mut world, description);
+        let oracle = Oracle::new(&mut world)?;
+        let size = description.film.window().size();
+        let row = u64::from(size.x) * u64::from(spp);
+        let goal = Goal { samples: Some(row * u64::from(size.y)), seconds: None };
+        let meter = Mutex::new(Meter::new(&format!("{}, reference", description.name), goal, quiet));
+        let advance = |_, _| {
+            if let Ok(mut meter) = meter.lock() {
+                meter.advance(row, 0);
+            }
+        };
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let begin = Instant::now();
+        let picture = oracle.render(0..spp, u64::from(SEED), threads, &advance);
+        let seconds = begin.elapsed().as_secs_f64();
+        if let Ok(meter) = meter.into_inner() {
+            meter.finish();
+        }
+        let record = ReferenceRecord {
+            key: self.key.clone(),
+            by: "cpu".to_owned(),
+            seed: SEED,
+            spp,
+            relmse: stated_error(&picture),
+            adapter: format!("{threads} threads"),
+            seconds,
+        };
+        let rgb = picture.mean.iter().map(|mean| mean.as_vec3().to_array()).collect();
+        let reference = Reference { rgb, record };
+        self.keep(&reference, &description.film)?;
+        Ok(reference)
+    }
+
     /// The record is written last: a picture without one is not found.
     fn keep(&self, reference: &Reference, film: &Film) -> Result<(), BenchError> {
         let record = serde_json::to_string_pretty(&reference.record)? + "\n";
@@ -93,9 +141,14 @@ impl Shelf {
     }
 }
 
-/// The reference by the path tracer in f64 on the processor.
-pub fn by_processor(_: &SceneDescription, _: u32) -> Result<Reference, BenchError> {
-    Err(BenchError::NoOracle)
+/// The relMSE that a picture has by its standard errors.
+fn stated_error(picture: &oracle::Picture) -> f64 {
+    let terms = picture
+        .mean
+        .iter()
+        .zip(&picture.error)
+        .map(|(mean, error)| (error * error / (mean * mean + DARK)).element_sum());
+    terms.sum::<f64>() / (3 * picture.mean.len().max(1)) as f64
 }
 
 /// The pixels of a file; none if it isn't there, or is broken.
