@@ -4,6 +4,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use glam::UVec2;
+use lucerna::cpu::rng::Source;
 
 use crate::rooms::{Room, trace_batch};
 use crate::support;
@@ -33,7 +34,7 @@ fn clock() -> Duration {
 
 /// Links, compiles and first runs the kernel with every feature.
 fn compile() -> Duration {
-    let room = Room { roulette: true, ..Room::cornell() };
+    let room = Room { roulette: true, next_event: true, sampler: Source::Sobol, ..Room::cornell() };
     let mut rig = support::rig();
     room.load(&mut rig);
     let params = room.params(UVec2::splat(8));

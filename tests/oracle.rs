@@ -105,7 +105,7 @@ fn veil() -> Material {
 #[test]
 fn asking_lights_changes_no_mean() {
     let rooms: [(&str, [Material; 2], Option<Environment>, Samples); 3] = [
-        ("shiny and rough", [shiny(), rough()], None, (320, 700)),
+        ("shiny and rough", [shiny(), rough()], None, (450, 1000)),
         ("mirror and glass", [mirror(), glass()], Some(Environment::Constant(Vec3::new(0.3, 0.4, 0.5))), (64, 400)),
         ("veil and rough", [veil(), rough()], Some(sky_map()), (64, 400)),
     ];
@@ -405,7 +405,7 @@ fn equals_the_engine() {
     judge("cornell-box", shipped("cornell-box", 16), Integrator::Path, Sampler::Sobol, 256);
     let mut under_sky = shipped("teapot", 12);
     under_sky.environment = Some(sky_map());
-    judge("teapot under a sky", under_sky, Integrator::Path, Sampler::Sobol, 64);
+    judge("teapot under a sky", under_sky, Integrator::Path, Sampler::Sobol, 100);
     if !support::stress() {
         return;
     }

@@ -37,8 +37,9 @@ fn owen_scramble(reversed: u32, key: u32) -> u32 {
 // its highest bit, and the first 2^n remain the first.
 fn sobol_group(key: SampleKey, dimension: u32) -> SobolGroup {
     var words = pcg4d(vec4<u32>(key.pixel, (dimension >> 2u) * 2u + key.half, key.seed, SOBOL_STREAM));
-    // PCG's low bits are its worst, and the lowest of a key flips half of the range.
-    words ^= words >> vec4<u32>(16u);
+    // PCG leaves neighbouring pixels alike in its low bits, and the lowest of a key flips half of the range.
+    words = (words ^ (words >> vec4<u32>(16u))) * 0x7feb352du;
+    words ^= words >> vec4<u32>(15u);
     // Independent of any three of the words.
     let shuffle = words.x + words.y + words.z + words.w;
     let reversed = owen_scramble(reverseBits(key.index), shuffle) ^ owen_scramble(0u, shuffle);

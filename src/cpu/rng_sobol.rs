@@ -21,11 +21,17 @@ pub fn owen_scramble(reversed: u32, key: u32) -> u32 {
 /// The words of the four dimensions of `dimension`'s group: numbers in [0, 1) are their highest bits.
 pub fn sobol_quad(key: SampleKey, dimension: u32) -> [u32; 4] {
     let group = (dimension >> 2).wrapping_mul(2).wrapping_add(key.half);
-    let words = pcg4d(UVec4::new(key.pixel, group, key.seed, STREAM)).to_array().map(|word| word ^ (word >> 16));
+    let words = pcg4d(UVec4::new(key.pixel, group, key.seed, STREAM)).to_array().map(stir);
     let shuffle = words.into_iter().fold(0u32, u32::wrapping_add);
     let reversed = owen_scramble(key.index.reverse_bits(), shuffle) ^ owen_scramble(0, shuffle);
     let points = points(reversed.reverse_bits());
     [0, 1, 2, 3].map(|i| owen_scramble(points[i], words[i]).reverse_bits())
+}
+
+/// Spreads a word's high bits over its low ones.
+fn stir(word: u32) -> u32 {
+    let word = (word ^ (word >> 16)).wrapping_mul(0x7feb_352d);
+    word ^ (word >> 15)
 }
 
 /// Point `index` of the (0, 4)-sequence in base 4 before scrambling, the lowest bit counting most.
