@@ -288,7 +288,7 @@ fn means_and_error_come_from_the_halves() {
         .map(|i| RadianceSample { rgb: Vec3::from_array([0, 1, 2].map(|c| 0.5 + random(i, c) as f32)), info: 1 })
         .collect();
     let (film, _) = twin(&params, &batch, exponent);
-    let error = relative_error(&film, exponent);
+    let error = relative_error(&film, 64, exponent);
     let right = 1.0 / 12.0 / 8.0 / 1.01;
     assert!((error / right - 1.0).abs() < 0.065, "{error}, not {right}");
     assert!(film_mean(&film, exponent).iter().all(|m| (m - 1.0).abs() < 0.01));
@@ -297,6 +297,22 @@ fn means_and_error_come_from_the_halves() {
     assert!((whole.0[0] - 0.5 * (even.0[0] + odd.0[0])).abs() < 1e-12);
     // One sample a pixel says nothing of the error, and nothing is not NaN.
     let (film, _) = twin(&params, &batch[..64 * 64], exponent);
-    assert_eq!(relative_error(&film, exponent), 0.0);
+    assert_eq!(relative_error(&film, 64, exponent), 0.0);
     assert_eq!(film_mean(&[FilmPixel::default()], exponent), [0.0; 3]);
+}
+
+#[test]
+fn rare_bright_samples_hide_no_error() {
+    // One sample in 50 is bright: most pixels have met none yet, and those that have are far too bright.
+    let params = TraceParams { layers: 8, ..window(64, 64) };
+    let exponent = film_exponent(50.0);
+    let bright = |i: u32| sample_1d(sample_key(i, 0, 11), 0) < 0.02;
+    let batch: Vec<RadianceSample> = (0..64 * 64 * 8)
+        .map(|i| RadianceSample { rgb: Vec3::splat(if bright(i) { 50.0 } else { 0.0 }), info: 1 })
+        .collect();
+    let (film, _) = twin(&params, &batch, exponent);
+    let error = relative_error(&film, 64, exponent);
+    // Variance 49 by 8 samples, of a mean of 1. By the pixel's own mean it would come to about 0.2.
+    let right = 49.0 / 8.0 / 1.01;
+    assert!((0.7..1.4).contains(&(error / right)), "{error}, not {right}");
 }

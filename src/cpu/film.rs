@@ -2,6 +2,7 @@
 
 use glam::UVec2;
 
+use super::metrics::DARK;
 use crate::layout::film::{AccumulateParams, BadSample, FilmHalf, FilmPixel, SAMPLE_BITS, UNKNOWN_BOUNCE};
 use crate::layout::trace::{
     BAD_INFINITE, BAD_NAN, BAD_NEGATIVE, BAD_OVERFLOW, NO_MATERIAL, RadianceSample, SAMPLE_BAD,
@@ -108,24 +109,41 @@ pub fn film_mean(film: &[FilmPixel], exponent: i32) -> [f64; 3] {
     means().fold([0.0; 3], |sum, (mean, _)| [0, 1, 2].map(|c| sum[c] + mean[c] / pixels))
 }
 
-/// The relMSE that the film's mean is estimated to have: the mean over pixels and channels of var / (mean^2 + 0.01).
+/// Pixels on every side whose radiance stands for that of the one in their middle, where an error is made relative.
+const REACH: usize = 4;
+
+/// The relMSE that the film's mean is estimated to have: the mean over pixels and channels of var / (radiance^2 + 0.01). `width` is
+/// that of the window whose pixels these are, row by row.
 ///
 /// The halves are independent, so (h0 - h1)^2 has the mean s^2 (1 / c0 + 1 / c1) where the mean of both has variance s^2 /
-/// (c0 + c1): a quarter of it for equal counts. 0 where no pixel has samples in both halves.
-pub fn relative_error(film: &[FilmPixel], exponent: i32) -> f64 {
+/// (c0 + c1): a quarter of it for equal counts. The radiance is the mean of a square of pixels: by its own pixel's mean a rare
+/// bright sample would be in what it is measured by, and hide itself. 0 where no pixel has samples in both halves.
+pub fn relative_error(film: &[FilmPixel], width: usize, exponent: i32) -> f64 {
+    let means: Vec<_> =
+        film.iter().map(|pixel| pixel.halves.each_ref().map(|half| half_mean(half, exponent))).collect();
     let (mut sum, mut terms) = (0.0, 0u64);
-    for pixel in film {
-        let [(h0, c0), (h1, c1)] = pixel.halves.each_ref().map(|half| half_mean(half, exponent));
-        if c0 == 0 || c1 == 0 {
-            continue;
-        }
-        let (c0, c1) = (f64::from(c0), f64::from(c1));
-        let share = c0 * c1 / ((c0 + c1) * (c0 + c1));
-        let (mean, _) = pixel_mean(pixel, exponent);
-        for c in 0..3 {
-            sum += (h0[c] - h1[c]).powi(2) * share / (mean[c] * mean[c] + 0.01);
+    for c in 0..3 {
+        let own = means.iter().map(|[(h0, c0), (h1, c1)]| (*c0 > 0 && *c1 > 0).then_some(0.5 * (h0[c] + h1[c])));
+        let around = square_means(own, width);
+        for ([(h0, c0), (h1, c1)], radiance) in means.iter().zip(around).filter(|(m, _)| m[0].1 > 0 && m[1].1 > 0) {
+            let (c0, c1) = (f64::from(*c0), f64::from(*c1));
+            let share = c0 * c1 / ((c0 + c1) * (c0 + c1));
+            sum += (h0[c] - h1[c]).powi(2) * share / (radiance * radiance + DARK);
             terms += 1;
         }
     }
     sum / terms.max(1) as f64
+}
+
+/// The mean of the values that there are within [`REACH`] of each pixel, by columns and then by rows; 0 where there is none.
+fn square_means(values: impl Iterator<Item = Option<f64>>, width: usize) -> Vec<f64> {
+    let values: Vec<[f64; 2]> = values.map(|value| value.map_or([0.0; 2], |value| [value, 1.0])).collect();
+    let width = width.max(1);
+    let height = values.len() / width;
+    let add = |sum: [f64; 2], value: &[f64; 2]| [sum[0] + value[0], sum[1] + value[1]];
+    let near = |at: usize, count: usize| at.saturating_sub(REACH)..(at + REACH + 1).min(count);
+    let column = |i: usize| near(i / width, height).fold([0.0; 2], |sum, y| add(sum, &values[y * width + i % width]));
+    let columns: Vec<[f64; 2]> = (0..height * width).map(column).collect();
+    let square = |i: usize| near(i % width, width).fold([0.0; 2], |sum, x| add(sum, &columns[i / width * width + x]));
+    (0..height * width).map(square).map(|[sum, count]| if count > 0.0 { sum / count } else { 0.0 }).collect()
 }

@@ -96,7 +96,7 @@ pub(super) fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
         halves: [half(0), half(1)],
         spp: progress.samples,
         mean: film_mean(&pixels, exponent),
-        relative_error: relative_error(&pixels, exponent),
+        relative_error: relative_error(&pixels, shot.window_width as usize, exponent),
         picture,
         pixels,
     })
