@@ -163,8 +163,6 @@ gpu_consts! {
     pub const SLOT_FILM: u32 = 0;
     /// The point on a light, 2D.
     pub const SLOT_LIGHT_POINT: u32 = 2;
-    /// The choices of a bounce, 4D: those of the light, the lobe and the roulette, in this order.
-    pub const SLOT_CHOICES: u32 = 4;
     /// Which light, 1D.
     pub const SLOT_LIGHT: u32 = 4;
     /// Which lobe of the BSDF, 1D.
