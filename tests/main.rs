@@ -23,6 +23,7 @@ mod oracle;
 mod passes;
 mod path;
 mod player;
+mod reload;
 mod rooms;
 mod sampler;
 mod save;

@@ -230,6 +230,7 @@ static DIFFER: Pass = Pass {
         Binding::write("differences", "array<atomic<u32>>"),
         Binding::params("BuildParams"),
     ],
+    makes: lucerna::passes::Makes::Answers,
 };
 
 const DIFFER_WGSL: &str = "

@@ -7,8 +7,9 @@ use glam::UVec2;
 
 use super::bench::light::{self, LightArguments};
 use super::compare::CompareArguments;
+use super::scene::SceneArguments;
 use super::{Exit, Failure, bench};
-use crate::components::{Crop, Film, Integrator, Render, Sampler};
+use crate::components::{Crop, Film, Integrator, Sampler};
 use crate::gpu::Gpu;
 use crate::systems::save::Output;
 
@@ -34,6 +35,8 @@ pub struct Arguments {
 pub enum Command {
     /// Render a scene to PNG, EXR and a report
     Render(RenderArguments),
+    /// Render while shaders and scene files are edited, and tell what came of every save
+    Watch(WatchArguments),
     /// Compare a picture with a reference
     Compare(CompareArguments),
     /// Check assets and shaders without rendering
@@ -47,44 +50,11 @@ pub enum Command {
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
 pub struct RenderArguments {
-    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
-    pub scene: String,
-    /// Samples a pixel
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub spp: Option<u32>,
+    #[command(flatten)]
+    pub of: SceneArguments,
     /// Render for so many seconds instead (with --spp: whichever comes first)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
-    /// Size of the whole picture in pixels, each side 1 to 16384
-    #[arg(long, value_name = "WxH", value_parser = size)]
-    pub size: Option<UVec2>,
-    /// Render this part only: pixels from X0 up to but not X1, from Y0 up to but not Y1, from the top left
-    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = crop, allow_hyphen_values = true)]
-    pub crop: Option<Crop>,
-    /// A camera of the scene, by its name
-    #[arg(long, value_name = "NAME")]
-    pub camera: Option<String>,
-    /// Seed of all random numbers
-    #[arg(long, value_name = "N")]
-    pub seed: Option<u32>,
-    /// How light is estimated
-    #[arg(long, value_enum)]
-    pub integrator: Option<IntegratorName>,
-    /// Where the random numbers of a sample come from
-    #[arg(long, value_enum)]
-    pub sampler: Option<SamplerName>,
-    /// Segments of the longest path: 1 sees emitters only, up to 1024
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Render::MAX_DEPTH)))]
-    pub max_depth: Option<u32>,
-    /// End paths of little throughput early (unbiased)
-    #[arg(long, value_enum)]
-    pub roulette: Option<Switch>,
-    /// Brighten by so many stops, -64 to 64
-    #[arg(long, value_name = "STOPS", value_parser = stops, allow_hyphen_values = true)]
-    pub exposure: Option<f32>,
-    /// Change a value of the scene file, such as -D materials.ball.ns=64
-    #[arg(short = 'D', value_name = "KEY=VALUE", value_parser = define)]
-    pub define: Vec<(String, String)>,
     /// Write to this file: .png, .exr or .json; may be given several times [default: result/SCENE.png, .exr and .json]
     #[arg(short, value_name = "FILE", value_parser = output)]
     pub output: Vec<Output>,
@@ -95,6 +65,16 @@ pub struct RenderArguments {
     #[arg(long)]
     pub json: bool,
     /// No progress, and no warnings
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+pub struct WatchArguments {
+    #[command(flatten)]
+    pub of: SceneArguments,
+    /// No messages on stderr beside the events
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -241,7 +221,8 @@ fn count(text: &str) -> Result<u32, String> {
     }
 }
 
-fn define(text: &str) -> Result<(String, String), String> {
+/// `KEY=VALUE`.
+pub fn define(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
         _ => Err("expected KEY=VALUE, such as materials.ball.ns=64".into()),

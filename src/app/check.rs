@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use super::arguments::CheckArguments;
 use super::failure::show;
 use super::{Exit, Failure, output};
-use crate::gpu::{GpuError, checked_entry};
+use crate::gpu::checked_entry;
 use crate::passes::Pass;
 use crate::passes::table::TABLE;
 use crate::scene;
-use crate::shader::Library;
+use crate::shader::{Library, ShaderError};
 
 /// Checks what was named; without names, the folder of assets and every shader.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
@@ -75,7 +75,7 @@ fn check_shaders() -> (usize, usize) {
 }
 
 /// How many variants a pass has, if all are right.
-fn check_pass(library: &Library, pass: &Pass) -> Result<usize, GpuError> {
+fn check_pass(library: &Library, pass: &Pass) -> Result<usize, ShaderError> {
     let sets = library.feature_sets(pass.module)?;
     for features in &sets {
         checked_entry(pass, &library.link(pass.module, features)?, features)?;

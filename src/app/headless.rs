@@ -3,15 +3,14 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::arguments::{RenderArguments, Switch};
-use super::failure::show;
+use super::arguments::RenderArguments;
 use super::interrupt::Interrupt;
 use super::progress::{Goal, Meter};
 use super::report::{Account, Seconds};
+use super::scene::Opened;
 use super::{Exit, Failure, output};
 use crate::gpu::Gpu;
-use crate::scene::{self, SceneDescription};
-use crate::shader::Library;
+use crate::scene::SceneDescription;
 use crate::systems::Engine;
 use crate::systems::save::{Output, Picture, SaveError};
 
@@ -29,13 +28,12 @@ enum Ended {
 pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen();
     let begin = Instant::now();
-    let path = scene::find(&arguments.scene)?;
-    let loaded = scene::load(&path, &arguments.define)?;
-    if !arguments.quiet {
-        loaded.warnings.iter().for_each(|warning| show(warning));
+    let Opened { path, mut description, .. } = arguments.of.open(arguments.quiet)?;
+    if arguments.time.is_some() && arguments.of.spp.is_none() {
+        // The scene's own number of samples is no limit.
+        description.render.spp = u32::MAX;
     }
-    let mut description = loaded.description;
-    adjust(&mut description, arguments)?;
+    let library = arguments.of.library()?;
     let outputs = outputs(arguments, &path)?;
     for output in &outputs {
         output.prepare()?;
@@ -46,7 +44,7 @@ pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Fai
     let gpu = Gpu::open()?;
     let start = begin.elapsed();
     let begin = Instant::now();
-    let mut engine = Engine::open(gpu, Library::shipped(), &description).map_err(Failure::engine)?;
+    let mut engine = Engine::open(gpu, library, &description).map_err(Failure::engine)?;
     engine.set_timing(true);
     let load = load + begin.elapsed();
 
@@ -113,7 +111,7 @@ fn trace(
 ) -> Result<Ended, Failure> {
     let size = description.film.window().size();
     let pixels = u64::from(size.x) * u64::from(size.y);
-    let by_samples = arguments.time.is_none() || arguments.spp.is_some();
+    let by_samples = arguments.time.is_none() || arguments.of.spp.is_some();
     let goal = Goal {
         samples: by_samples.then(|| pixels.saturating_mul(u64::from(description.render.spp))),
         seconds: arguments.time,
@@ -140,43 +138,6 @@ fn trace(
             meter.set_error(error, begin.elapsed());
         }
     }
-}
-
-/// Applies the flags to the scene, over what its file and the defines say.
-fn adjust(description: &mut SceneDescription, arguments: &RenderArguments) -> Result<(), Failure> {
-    if let Some(name) = &arguments.camera {
-        if !description.cameras.contains_key(name) {
-            let names: Vec<&str> = description.cameras.keys().map(String::as_str).collect();
-            let help = format!("its cameras are: {}", names.join(", "));
-            return Err(Failure::usage(format!("--camera: the scene has no camera `{name}`"), help));
-        }
-        description.active = name.clone();
-    }
-    let (film, render) = (&mut description.film, &mut description.render);
-    film.size = arguments.size.unwrap_or(film.size);
-    film.crop = arguments.crop.or(film.crop);
-    film.exposure = arguments.exposure.unwrap_or(film.exposure);
-    if let Some(crop) = film.crop
-        && crop.max.cmpgt(film.size).any()
-    {
-        let [x0, x1, y0, y1] = [crop.min.x, crop.max.x, crop.min.y, crop.max.y];
-        let (message, help) = match arguments.crop {
-            Some(_) => ("--crop", "choose a part of the picture, or a larger --size"),
-            None => ("the scene's crop", "give a --crop that fits the --size"),
-        };
-        let message =
-            format!("{message} {x0},{x1},{y0},{y1} reaches beyond the picture of {}x{}", film.size.x, film.size.y);
-        return Err(Failure::usage(message, help));
-    }
-    // With a time alone, the scene's own number of samples is no limit.
-    let unlimited = arguments.time.map_or(render.spp, |_| u32::MAX);
-    render.spp = arguments.spp.unwrap_or(unlimited);
-    render.seed = arguments.seed.unwrap_or(render.seed);
-    render.integrator = arguments.integrator.map_or(render.integrator, Into::into);
-    render.sampler = arguments.sampler.map_or(render.sampler, Into::into);
-    render.max_depth = arguments.max_depth.unwrap_or(render.max_depth);
-    render.roulette = arguments.roulette.map_or(render.roulette, |switch| switch == Switch::On);
-    Ok(())
 }
 
 /// The files to write: those named, else `result/SCENE` in all three kinds.

@@ -13,6 +13,8 @@ mod interrupt;
 mod output;
 mod progress;
 mod report;
+mod scene;
+mod watch;
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -36,6 +38,7 @@ pub fn main() -> ExitCode {
     };
     let result = match arguments.command {
         Command::Render(render) => headless::render(&render, started),
+        Command::Watch(watch) => watch::run(&watch),
         Command::Compare(comparison) => compare::run(&comparison),
         Command::Check(check) => check::run(&check),
         Command::Doctor => doctor::run(),

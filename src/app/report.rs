@@ -40,7 +40,8 @@ impl Account<'_> {
     /// machine.
     pub fn metadata(&self) -> Vec<(&'static str, String)> {
         let scene = self.description;
-        let defines: Vec<String> = self.arguments.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
+        let defines: Vec<String> =
+            self.arguments.of.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
         vec![
             ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
             ("scene", self.path.display().to_string()),
@@ -79,7 +80,7 @@ impl Account<'_> {
         option("--max-depth", scene.render.max_depth.to_string());
         option("--roulette", switch(scene.render.roulette).to_owned());
         option("--exposure", scene.film.exposure.to_string());
-        for (key, value) in &self.arguments.define {
+        for (key, value) in &self.arguments.of.define {
             option("-D", format!("{key}={value}"));
         }
         words.join(" ")

@@ -83,6 +83,21 @@ impl Buffers {
         Ok(())
     }
 
+    /// Copies all of `from` to `to`, making room first; nothing if there is no `from`.
+    pub fn copy(&mut self, gpu: &Gpu, from: &'static str, to: &'static str) -> Result<(), GpuError> {
+        let bytes = self.size(from);
+        if bytes == 0 {
+            return Ok(());
+        }
+        self.reserve(gpu, to, bytes)?;
+        let (source, target) = (&self.named[from].buffer, &self.named[to].buffer);
+        gpu.guarded("a copy", || {
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            encoder.copy_buffer_to_buffer(source, 0, target, 0, bytes.next_multiple_of(4));
+            gpu.queue.submit([encoder.finish()]);
+        })
+    }
+
     pub(super) fn get(&self, name: &str) -> Option<(&wgpu::Buffer, u64, u64)> {
         self.named.get(name).map(|slot| (&slot.buffer, slot.size, slot.generation))
     }

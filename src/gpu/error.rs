@@ -43,9 +43,6 @@ pub enum GpuError {
 
     #[error("pass `{pass}` has no buffer named `{buffer}`")]
     NoBuffer { pass: &'static str, buffer: &'static str },
-
-    #[error("pass `{pass}` and its shader disagree: {reason}")]
-    Mismatch { pass: &'static str, reason: String },
 }
 
 impl From<ShaderError> for GpuError {

@@ -2,6 +2,7 @@
 
 mod buffers;
 mod device;
+mod entry;
 mod error;
 mod pipelines;
 mod player;
@@ -10,7 +11,8 @@ mod timing;
 
 pub use buffers::Buffers;
 pub use device::{AdapterSummary, Gpu, adapters};
+pub use entry::checked_entry;
 pub use error::GpuError;
-pub use pipelines::checked_entry;
+pub use pipelines::{Code, Compiler};
 pub use runtime::Runtime;
 pub use timing::PassTiming;

@@ -1,12 +1,23 @@
 //! From a row of the pass table to a compute pipeline: linked, checked against its row, compiled, kept.
 
-use std::collections::HashMap;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use super::entry::checked_entry;
 use super::{Gpu, GpuError};
+use crate::passes::table::TABLE;
 use crate::passes::{Access, Pass};
-use crate::shader::{EntryPoint, Features, Library, Linked, ResourceKind};
+use crate::shader::{EntryPoint, Features, Library, Linked, Place, ResourceKind};
+
+/// Rounds of all loops of one invocation of an edited shader. The longest paths that a scene may ask for take half as many.
+const ROUNDS: u32 = 1 << 18;
+
+/// The same on drivers that draw on the processor: Mesa's ends every loop after 65,535 rounds and says nothing.
+const ROUNDS_IN_SOFTWARE: u32 = 60_000;
+
+/// Loops of one pipeline are numbered within so many.
+const LOOPS: u32 = 4096;
 
 /// A compiled pass.
 pub struct Pipeline {
@@ -14,71 +25,189 @@ pub struct Pipeline {
     pub(super) layout: wgpu::BindGroupLayout,
     pub(super) entry: EntryPoint,
     /// Unlike for every pipeline ever made: what bind groups are cached by.
-    pub(super) serial: u64,
+    pub(super) serial: u32,
+    /// Equal for equal code.
+    fingerprint: u64,
+    /// Where the loops of an edited shader are, which end after so many rounds; empty for the shipped ones.
+    loops: Vec<Place>,
+}
+
+impl Pipeline {
+    /// The place of a loop by the number that the shader gives it.
+    pub(super) fn place_of_loop(&self, number: u32) -> Option<&Place> {
+        let first = self.serial.wrapping_mul(LOOPS);
+        self.loops.get(number.checked_sub(first + 1)? as usize)
+    }
+
+    pub(super) fn is_limited(&self) -> bool {
+        !self.loops.is_empty()
+    }
+}
+
+/// A pass as it is compiled now.
+#[derive(Clone)]
+pub struct Use {
+    pub pass: &'static Pass,
+    /// The scene's features when it was last asked for.
+    pub features: Features,
+    /// Those of them that its import closure names.
+    key: Features,
+    /// The modules it was linked from.
+    imports: BTreeSet<String>,
+    pub(super) pipeline: Arc<Pipeline>,
+}
+
+/// Compiles passes on any thread: what pipelines and those who remake them share.
+#[derive(Clone)]
+pub struct Compiler {
+    gpu: Arc<Gpu>,
+    serial: Arc<AtomicU32>,
+    in_use: Arc<Mutex<BTreeMap<&'static str, Use>>>,
+}
+
+impl Compiler {
+    /// Every pass as it was last used, by name.
+    pub(super) fn in_use(&self) -> MutexGuard<'_, BTreeMap<&'static str, Use>> {
+        self.in_use.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Links passes and compiles those for which `known` has nothing, each in a thread of its own: drivers compile in
+    /// parallel. `known` is asked with a pass, the features its code depends on, and the fingerprint of its code.
+    pub(super) fn make(
+        &self,
+        library: &Library,
+        wanted: &[(&'static Pass, Features)],
+        known: impl Fn(&Pass, &Features, &Linked) -> Option<Arc<Pipeline>> + Sync,
+    ) -> Result<Vec<Use>, GpuError> {
+        let make = |pass: &'static Pass, features: &Features| -> Result<Use, GpuError> {
+            let linked = library.link(pass.module, features)?;
+            let (key, imports) = (linked.features.clone(), linked.imports.clone());
+            let pipeline = match known(pass, &key, &linked) {
+                Some(pipeline) => pipeline,
+                None => Arc::new(self.compile(pass, linked, features)?),
+            };
+            Ok(Use { pass, features: features.clone(), key, imports, pipeline })
+        };
+        std::thread::scope(|scope| {
+            let make = &make;
+            let threads: Vec<_> =
+                wanted.iter().map(|(pass, features)| scope.spawn(move || make(pass, features))).collect();
+            let join = |made: std::thread::ScopedJoinHandle<'_, _>| {
+                made.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+            };
+            threads.into_iter().map(join).collect()
+        })
+    }
+
+    fn compile(&self, pass: &'static Pass, mut linked: Linked, features: &Features) -> Result<Pipeline, GpuError> {
+        let serial = self.serial.fetch_add(1, Ordering::Relaxed);
+        let fingerprint = linked.fingerprint();
+        checked_entry(pass, &linked, features)?;
+        let loops = match linked.edited {
+            true => {
+                let rounds = if self.gpu.is_software() { ROUNDS_IN_SOFTWARE } else { ROUNDS };
+                linked.limit_loops(rounds, serial.wrapping_mul(LOOPS))?
+            }
+            false => Vec::new(),
+        };
+        let entry = checked_entry(pass, &linked, features)?;
+        let (compute, layout) = build(&self.gpu, pass, &entry, linked.module)?;
+        Ok(Pipeline { compute, layout, entry, serial, fingerprint, loops })
+    }
 }
 
 /// Pipelines by pass and by those features that its import closure names.
 pub struct Pipelines {
     library: Library,
+    compiler: Compiler,
     kept: HashMap<(&'static str, Features), Arc<Pipeline>>,
-    /// What a scene's features come down to for a pass, so that a known pass is not linked again.
-    keys: HashMap<&'static str, (Features, Arc<Pipeline>)>,
-    serial: AtomicU64,
+}
+
+/// The code that passes run: what a reload puts in the place of what was there.
+pub struct Code {
+    pub(super) library: Library,
+    pub(super) uses: Vec<Use>,
 }
 
 impl Pipelines {
-    pub fn new(library: Library) -> Self {
-        Self { library, kept: HashMap::new(), keys: HashMap::new(), serial: AtomicU64::new(0) }
+    pub fn new(gpu: Arc<Gpu>, library: Library) -> Self {
+        let compiler = Compiler { gpu, serial: Arc::default(), in_use: Arc::default() };
+        Self { library, compiler, kept: HashMap::new() }
+    }
+
+    pub fn compiler(&self) -> &Compiler {
+        &self.compiler
     }
 
     /// The pipeline of `pass` under `features`, compiled if need be.
-    pub fn get(&mut self, gpu: &Gpu, pass: &'static Pass, features: &Features) -> Result<Arc<Pipeline>, GpuError> {
+    pub fn get(&mut self, pass: &'static Pass, features: &Features) -> Result<Arc<Pipeline>, GpuError> {
         if let Some(pipeline) = self.known(pass, features) {
-            return Ok(pipeline.clone());
+            return Ok(pipeline);
         }
-        let (key, pipeline) = self.make(gpu, pass, features)?;
-        self.keep(pass, features, key, &pipeline);
-        Ok(pipeline)
+        self.prepare(&[pass], features)?;
+        Ok(self.known(pass, features).expect("invariant: it was just made"))
     }
 
-    /// Compiles all that is missing of `passes`, each in a thread of its own: drivers compile in parallel.
-    pub fn prepare(&mut self, gpu: &Gpu, passes: &[&'static Pass], features: &Features) -> Result<(), GpuError> {
-        let mut missing: Vec<&'static Pass> = Vec::new();
+    /// Compiles all that is missing of `passes`, at the same time.
+    pub fn prepare(&mut self, passes: &[&'static Pass], features: &Features) -> Result<(), GpuError> {
+        let mut missing: Vec<(&'static Pass, Features)> = Vec::new();
         for pass in passes {
-            if self.known(pass, features).is_none() && missing.iter().all(|m| m.name != pass.name) {
-                missing.push(pass);
+            if self.known(pass, features).is_none() && missing.iter().all(|(m, _)| m.name != pass.name) {
+                missing.push((pass, features.clone()));
             }
         }
-        let this = &*self;
-        let made: Vec<_> = std::thread::scope(|scope| {
-            let threads: Vec<_> = missing.iter().map(|pass| scope.spawn(|| this.make(gpu, pass, features))).collect();
-            threads.into_iter().map(|thread| thread.join()).collect()
-        });
-        for (pass, made) in missing.into_iter().zip(made) {
-            let (key, pipeline) = made.unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
-            self.keep(pass, features, key, &pipeline);
-        }
+        let kept = &self.kept;
+        let known = |pass: &Pass, key: &Features, _: &Linked| kept.get(&(pass.name, key.clone())).cloned();
+        let made = self.compiler.make(&self.library, &missing, known)?;
+        self.keep(made);
         Ok(())
     }
 
-    fn known(&self, pass: &Pass, features: &Features) -> Option<&Arc<Pipeline>> {
-        self.keys.get(pass.name).filter(|(key, _)| key == features).map(|(_, pipeline)| pipeline)
+    /// Puts other code in place. Returns what was there, which can be put back, and the passes that run other code now.
+    pub fn replace(&mut self, code: Code) -> (Code, Vec<&'static Pass>) {
+        let old = std::mem::take(&mut *self.compiler.in_use());
+        let is_new = |used: &&Use| old.get(used.pass.name).is_none_or(|o| !Arc::ptr_eq(&o.pipeline, &used.pipeline));
+        let changed = code.uses.iter().filter(is_new).map(|used| used.pass).collect();
+        let library = std::mem::replace(&mut self.library, code.library);
+        self.kept.clear();
+        self.keep(code.uses);
+        (Code { library, uses: old.into_values().collect() }, changed)
     }
 
-    /// Links a pass, and compiles it if no other features came down to the same.
-    fn make(&self, gpu: &Gpu, pass: &'static Pass, features: &Features) -> Result<(Features, Arc<Pipeline>), GpuError> {
-        let linked = self.library.link(pass.module, features)?;
-        let key = linked.features.clone();
-        if let Some(pipeline) = self.kept.get(&(pass.name, key.clone())) {
-            return Ok((key, pipeline.clone()));
+    fn known(&self, pass: &Pass, features: &Features) -> Option<Arc<Pipeline>> {
+        let in_use = self.compiler.in_use();
+        in_use.get(pass.name).filter(|used| used.features == *features).map(|used| used.pipeline.clone())
+    }
+
+    fn keep(&mut self, uses: Vec<Use>) {
+        let mut in_use = self.compiler.in_use();
+        for used in uses {
+            self.kept.insert((used.pass.name, used.key.clone()), used.pipeline.clone());
+            in_use.insert(used.pass.name, used);
         }
-        let serial = self.serial.fetch_add(1, Ordering::Relaxed);
-        Ok((key, Arc::new(compile(gpu, pass, linked, features, serial)?)))
     }
+}
 
-    fn keep(&mut self, pass: &'static Pass, features: &Features, key: Features, pipeline: &Arc<Pipeline>) {
-        self.kept.insert((pass.name, key), pipeline.clone());
-        self.keys.insert(pass.name, (features.clone(), pipeline.clone()));
+impl Compiler {
+    /// What the passes in use come to with another library; compiles only what is other code. Nothing that runs is touched.
+    ///
+    /// Where no pass in use imports some module of `edited`, every pass is linked with all features, so that a mistake in it
+    /// is told today and not when a scene first needs it.
+    pub fn remake(&self, library: Library, edited: &BTreeSet<String>) -> Result<Code, GpuError> {
+        let old: BTreeMap<&'static str, Use> = self.in_use().clone();
+        let wanted: Vec<_> = old.values().map(|used| (used.pass, used.features.clone())).collect();
+        let same = |pass: &Pass, _: &Features, linked: &Linked| {
+            let pipeline = &old.get(pass.name)?.pipeline;
+            (pipeline.fingerprint == linked.fingerprint()).then(|| pipeline.clone())
+        };
+        let uses = self.make(&library, &wanted, same)?;
+        if edited.iter().any(|module| !uses.iter().any(|used| used.imports.contains(module))) {
+            let all = library.features()?;
+            for pass in TABLE {
+                checked_entry(pass, &library.link(pass.module, &all)?, &all)?;
+            }
+        }
+        Ok(Code { library, uses })
     }
 }
 
@@ -87,46 +216,12 @@ fn is_params(pass: &Pass, binding: &str) -> bool {
     pass.bindings.iter().any(|row| row.name == binding && row.access == Access::Params)
 }
 
-/// The entry point that a row names, if the row says just what the shader uses. Everything is found by name, so only the
-/// sets must agree.
-pub fn checked_entry(pass: &Pass, linked: &Linked, features: &Features) -> Result<EntryPoint, GpuError> {
-    let fail = |reason: String| Err(GpuError::Mismatch { pass: pass.name, reason });
-    let Some(entry) = linked.entry(pass.entry) else {
-        return fail(format!("`{}` has no entry point `{}`", pass.module, pass.entry));
-    };
-    let expected = || pass.bindings.iter().filter(|b| b.is_there(|feature| features.contains(feature)));
-    for row in expected() {
-        let Some(found) = entry.bindings.iter().find(|b| b.name == row.name) else {
-            return fail(format!("the row names `{}`, and `{}` does not use it", row.name, entry.name));
-        };
-        let kind = match row.access {
-            Access::Read | Access::Params => ResourceKind::StorageRead,
-            Access::Write => ResourceKind::StorageReadWrite,
-        };
-        if found.kind != kind || found.ty != row.ty {
-            return fail(format!(
-                "`{}` is {kind:?} of {} in the row, and {:?} of {} in the shader",
-                row.name, row.ty, found.kind, found.ty
-            ));
-        }
-        if found.group != 0 {
-            return fail(format!("`{}` is in group {}; passes use group 0", row.name, found.group));
-        }
-    }
-    match entry.bindings.iter().find(|b| expected().all(|row| row.name != b.name)) {
-        Some(extra) => fail(format!("`{}` uses `{}`, and the row does not name it", entry.name, extra.name)),
-        None => Ok(entry),
-    }
-}
-
-fn compile(
+fn build(
     gpu: &Gpu,
     pass: &'static Pass,
-    linked: Linked,
-    features: &Features,
-    serial: u64,
-) -> Result<Pipeline, GpuError> {
-    let entry = checked_entry(pass, &linked, features)?;
+    entry: &EntryPoint,
+    module: naga::Module,
+) -> Result<(wgpu::ComputePipeline, wgpu::BindGroupLayout), GpuError> {
     let entries: Vec<_> = entry
         .bindings
         .iter()
@@ -144,7 +239,6 @@ fn compile(
             count: None,
         })
         .collect();
-    let Linked { module, .. } = linked;
     gpu.guarded(&format!("pipeline `{}`", pass.name), || {
         let descriptor = wgpu::ShaderModuleDescriptor {
             label: Some(pass.module),
@@ -152,7 +246,8 @@ fn compile(
         };
         let mut checks = wgpu::ShaderRuntimeChecks::checked();
         checks.force_loop_bounding = false;
-        // SAFETY: every loop of the shipped shaders has a bound of its own (naga's would cost 11 % and counts to 2^64).
+        // SAFETY: every loop of the shipped shaders has a bound of its own, and those of edited ones were given one
+        // (naga's would cost 11 % and counts to 2^64).
         let module = unsafe { gpu.device.create_shader_module_trusted(descriptor, checks) };
         let layout = gpu
             .device
@@ -174,6 +269,6 @@ fn compile(
             },
             cache: None,
         });
-        Pipeline { compute, layout, entry, serial }
+        (compute, layout)
     })
 }

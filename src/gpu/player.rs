@@ -7,10 +7,10 @@ use super::pipelines::{Pipeline, Pipelines};
 use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError};
 use crate::passes::{Access, Call, Recording, Size};
-use crate::shader::Features;
+use crate::shader::{Features, LOOP_FAULTS};
 
 /// What identifies a bind group: its pipeline, and each buffer by name and generation.
-type BindKey = (u64, Vec<(&'static str, u64)>);
+type BindKey = (u32, Vec<(&'static str, u64)>);
 
 /// More cached bind groups than this, and all are dropped: the buffers of old scenes go with them.
 const KEPT_BIND_GROUPS: usize = 512;
@@ -63,7 +63,7 @@ impl Player {
         let offsets = self.upload_params(stage.gpu, &calls)?;
         let mut ready = Vec::with_capacity(calls.len());
         for (call, params_offset) in calls.into_iter().zip(offsets) {
-            let pipeline = stage.pipelines.get(stage.gpu, call.pass, stage.features)?;
+            let pipeline = stage.pipelines.get(call.pass, stage.features)?;
             let bind_group = self.bind(stage.gpu, stage.buffers, call, &pipeline)?;
             ready.push(Ready { call, pipeline, bind_group, params_offset });
         }
@@ -131,6 +131,13 @@ impl Player {
                 key.push((name, generation ^ (size << 20)));
                 entries.push(entry(found.binding, buffer, size));
             }
+        }
+        if let Some(found) = pipeline.entry.bindings.iter().find(|b| b.name == LOOP_FAULTS) {
+            let Some((buffer, size, generation)) = buffers.get(LOOP_FAULTS) else {
+                return Err(GpuError::NoBuffer { pass: call.pass.name, buffer: LOOP_FAULTS });
+            };
+            key.push((LOOP_FAULTS, generation));
+            entries.push(entry(found.binding, buffer, size));
         }
         let key = (pipeline.serial, key);
         if let Some(group) = self.bind_groups.get(&key) {

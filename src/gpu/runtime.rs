@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::pipelines::Pipelines;
+use super::pipelines::{Code, Compiler, Pipelines};
 use super::player::{Player, Stage};
 use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError, PassTiming};
-use crate::passes::Recording;
-use crate::shader::{Features, Library};
+use crate::passes::{Pass, Recording};
+use crate::shader::{ErrorKind, Features, LOOP_FAULTS, Library, ShaderError};
 
 /// Runs recordings on one device.
 pub struct Runtime {
@@ -24,9 +24,9 @@ impl Runtime {
     /// No buffers yet, no features, no timing.
     pub fn new(gpu: Arc<Gpu>, library: Library) -> Self {
         Self {
+            pipelines: Pipelines::new(gpu.clone(), library),
             gpu,
             buffers: Buffers::default(),
-            pipelines: Pipelines::new(library),
             player: Player::default(),
             features: Features::new(),
             timer: None,
@@ -73,6 +73,7 @@ impl Runtime {
         if let Some(timer) = self.timer.as_mut().filter(|t| t.is_full()) {
             timer.collect(&self.gpu)?;
         }
+        self.buffers.reserve(&self.gpu, LOOP_FAULTS, 8)?;
         let stage =
             Stage { gpu: &self.gpu, buffers: &self.buffers, pipelines: &mut self.pipelines, features: &self.features };
         self.player.play(stage, recording, self.timer.as_mut())
@@ -81,7 +82,40 @@ impl Runtime {
     /// Compiles what recordings need, all at once, without running them.
     pub fn prepare(&mut self, recordings: &[&Recording]) -> Result<(), GpuError> {
         let passes: Vec<_> = recordings.iter().flat_map(|r| r.calls()).map(|call| call.pass).collect();
-        self.pipelines.prepare(&self.gpu, &passes, &self.features)
+        self.pipelines.prepare(&passes, &self.features)
+    }
+
+    /// What compiles edited shaders for this runtime, on any thread.
+    pub fn compiler(&self) -> Compiler {
+        self.pipelines.compiler().clone()
+    }
+
+    /// Runs other code from now on. Returns the code that was run until now, and the passes whose code is another.
+    pub fn replace(&mut self, code: Code) -> (Code, Vec<&'static Pass>) {
+        self.pipelines.replace(code)
+    }
+
+    /// Copies a buffer's contents to another, which is made as large; nothing if there is no such buffer.
+    pub fn copy(&mut self, from: &'static str, to: &'static str) -> Result<(), GpuError> {
+        self.buffers.copy(&self.gpu, from, to)
+    }
+
+    /// Says whether a loop of an edited shader had to be ended in what was played since the last call.
+    pub fn check_loops(&mut self) -> Result<(), GpuError> {
+        let limited: Vec<_> = self.pipelines.compiler().in_use().values().map(|used| used.pipeline.clone()).collect();
+        if !limited.iter().any(|pipeline| pipeline.is_limited()) || self.buffers.size(LOOP_FAULTS) == 0 {
+            return Ok(());
+        }
+        let [invocations, number] = self.read_some::<[u32; 2]>(LOOP_FAULTS, 1)?[0];
+        if invocations == 0 {
+            return Ok(());
+        }
+        self.write(LOOP_FAULTS, 0, &[0u32; 2])?;
+        let Some(place) = limited.iter().find_map(|pipeline| pipeline.place_of_loop(number)) else { return Ok(()) };
+        let message = format!("this loop does not end: it was stopped in {invocations} invocations");
+        let help = "every loop needs a bound that it reaches within a few thousand rounds";
+        let error = ShaderError::of(ErrorKind::Loop, place.clone(), message);
+        Err(ShaderError { help: Some(help.into()), ..error }.into())
     }
 
     /// Waits until all that was submitted is done.

@@ -4,7 +4,7 @@
 //! boxes. So every pass reads only what earlier dispatches wrote, which is all the order that WGSL promises between
 //! workgroups.
 
-use super::{Binding, Pass, Recording, Size, clear, sort};
+use super::{Binding, Makes, Pass, Recording, Size, clear, sort};
 use crate::layout::tree::{
     BOUNDS_PER_THREAD, BOUNDS_WORDS, BuildParams, LeafBox, Node, PYRAMID_LEVELS, PyramidParams, Triangle, node_count,
 };
@@ -19,6 +19,7 @@ pub static BOUNDS: Pass = Pass {
         Binding::write("centroid_bounds", "array<atomic<u32>>"),
         Binding::params("BuildParams"),
     ],
+    makes: Makes::Tree,
 };
 
 /// A Morton code and an index for each triangle.
@@ -33,6 +34,7 @@ pub static MORTON: Pass = Pass {
         Binding::write("payload", "array<u32>"),
         Binding::params("BuildParams"),
     ],
+    makes: Makes::Tree,
 };
 
 /// Triangles in the order of their codes, and their boxes.
@@ -49,6 +51,7 @@ pub static LEAVES: Pass = Pass {
         Binding::write("boxes", "array<LeafBox>"),
         Binding::params("BuildParams"),
     ],
+    makes: Makes::Tree,
 };
 
 /// [`PYRAMID_LEVELS`] levels of the pyramid above one that is there: an item is a box of the first of them.
@@ -57,6 +60,7 @@ pub static PYRAMID: Pass = Pass {
     module: "passes/tree/pyramid",
     entry: "build_levels",
     bindings: &[Binding::write("boxes", "array<LeafBox>"), Binding::params("PyramidParams")],
+    makes: Makes::Tree,
 };
 
 /// The nodes of the tree.
@@ -72,6 +76,7 @@ pub static NODES: Pass = Pass {
         Binding::write("nodes", "array<Node>"),
         Binding::params("BuildParams"),
     ],
+    makes: Makes::Tree,
 };
 
 /// Most triangles that a tree can be built over: twice as many must still be an i32, above that LEAF_BIT is needed.

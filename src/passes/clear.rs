@@ -1,6 +1,6 @@
 //! Sets words of a buffer to one value, within the order of the dispatches around it.
 
-use super::{Binding, Pass, Recording, Size};
+use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::clear::ClearParams;
 
 /// Writes one value to the first `count` words.
@@ -9,6 +9,7 @@ pub static CLEAR: Pass = Pass {
     module: "passes/clear",
     entry: "clear",
     bindings: &[Binding::params("ClearParams"), Binding::write("words", "array<u32>")],
+    makes: Makes::Film,
 };
 
 /// Records that the first `words` words of `buffer` become `value`.

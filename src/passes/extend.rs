@@ -1,6 +1,6 @@
 //! Ray queries as passes of their own: rays in, hits out.
 
-use super::{Binding, Pass, Recording, Size};
+use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::ray::{ExtendParams, Hit, Ray};
 use crate::layout::tree;
 
@@ -16,6 +16,7 @@ pub static EXTEND: Pass = Pass {
         Binding::read("rays", "array<Ray>"),
         Binding::write("hits", "array<Hit>"),
     ],
+    makes: Makes::Answers,
 };
 
 /// Whether anything lies between the ends of every ray: 1 or 0.
@@ -30,6 +31,7 @@ pub static OCCLUDED: Pass = Pass {
         Binding::read("rays", "array<Ray>"),
         Binding::write("occlusion", "array<u32>"),
     ],
+    makes: Makes::Answers,
 };
 
 /// Buffers for so many rays, both passes' results included.

@@ -1,6 +1,6 @@
 //! The film: samples added to 64-bit fixed point, and the film as a picture.
 
-use super::{Binding, Pass, Recording, Size, clear};
+use super::{Binding, Makes, Pass, Recording, Size, clear};
 use crate::layout::film::{AccumulateParams, DisplayParams, FilmCounters, FilmPixel};
 use crate::layout::trace::TraceParams;
 
@@ -15,6 +15,7 @@ pub static ACCUMULATE: Pass = Pass {
         Binding::write("film", "array<FilmPixel>"),
         Binding::write("counters", "FilmCounters"),
     ],
+    makes: Makes::Film,
 };
 
 /// The mean of both halves, exposed, as sRGB in `picture`: r in the lowest byte, a = 255 in the highest.
@@ -27,6 +28,7 @@ pub static DISPLAY: Pass = Pass {
         Binding::read("film", "array<FilmPixel>"),
         Binding::write("picture", "array<u32>"),
     ],
+    makes: Makes::Picture,
 };
 
 /// Buffers of the film for a window of so many pixels.

@@ -14,5 +14,5 @@ pub mod table;
 pub mod trace;
 
 pub use clear::{CLEAR, clear};
-pub use pass::{Access, Binding, Pass};
+pub use pass::{Access, Binding, Makes, Pass};
 pub use recording::{Call, Recording, Size};

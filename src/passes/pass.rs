@@ -14,6 +14,22 @@ pub struct Pass {
     pub entry: &'static str,
     /// In the order of the WGSL, all in group 0.
     pub bindings: &'static [Binding],
+    /// What is to be made anew when the pass's code changes.
+    pub makes: Makes,
+}
+
+/// What a pass has a part in: a film is traced through the tree, and a picture shows the film, but each is still good where
+/// only the code of those before it changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Makes {
+    /// Morton codes to tree.
+    Tree,
+    /// Samples and their sums.
+    Film,
+    /// The film as it is shown.
+    Picture,
+    /// Nothing that an engine keeps.
+    Answers,
 }
 
 /// One binding of a pass, by its name in the WGSL.

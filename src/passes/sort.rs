@@ -8,7 +8,7 @@
 
 use std::mem::{offset_of, size_of};
 
-use super::{Binding, Pass, Recording, Size};
+use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::sort::{SORT_BINS, SORT_DIGITS, SORT_FEW_TILES, SortDigit, SortParams, SortPlan, tiles};
 
 const KEYS: &str = "array<vec2<u32>>";
@@ -26,6 +26,7 @@ pub static SORT_AGREE: Pass = Pass {
         Binding::read("keys", KEYS),
         Binding::write("sort_agreements", "array<vec4<u32>>"),
     ],
+    makes: Makes::Tree,
 };
 
 /// Decides which digits run, and from where to where.
@@ -38,6 +39,7 @@ pub static SORT_PLAN: Pass = Pass {
         Binding::read("sort_agreements", "array<vec4<u32>>"),
         Binding::write("sort_plan", "SortPlan"),
     ],
+    makes: Makes::Tree,
 };
 
 /// Histogram of a digit over each tile.
@@ -53,6 +55,7 @@ pub static SORT_COUNT: Pass = Pass {
         Binding::write("sort_counts", WORDS),
         CENSUS,
     ],
+    makes: Makes::Tree,
 };
 
 /// Sums a digit's histograms over the tiles before each.
@@ -66,6 +69,7 @@ pub static SORT_SCAN: Pass = Pass {
         Binding::write("sort_totals", WORDS),
         CENSUS,
     ],
+    makes: Makes::Tree,
 };
 
 /// The same, for at most [`SORT_FEW_TILES`] tiles.
@@ -87,6 +91,7 @@ pub static SORT_SCATTER: Pass = Pass {
         Binding::write("payload_back", WORDS),
         CENSUS,
     ],
+    makes: Makes::Tree,
 };
 
 /// Makes pairs of random 63-bit keys and their indices, for benchmarks.
@@ -95,6 +100,7 @@ pub static SORT_FILL: Pass = Pass {
     module: "passes/sort/fill",
     entry: "fill",
     bindings: &[Binding::params("SortParams"), Binding::write("keys", KEYS), Binding::write("payload", WORDS)],
+    makes: Makes::Tree,
 };
 
 /// Buffers of a sort of `count` pairs, with their bytes.

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, UVec2, Vec3};
 
-use super::{Binding, Pass, Recording, Size};
+use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::film::largest_sample;
 use crate::layout::trace::{
     MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MaterialRecord, RadianceSample, TraceParams,
@@ -24,6 +24,7 @@ pub static PATH: Pass = Pass {
         Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
         Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
     ],
+    makes: Makes::Film,
 };
 
 /// Where a camera is and looks. World space, scene units.

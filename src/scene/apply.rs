@@ -14,26 +14,37 @@ use crate::components::{Active, Camera, Environment, Film, Geometry, Material, N
 /// What is equal stays untouched: applying the same description again changes nothing. Entities of these kinds whose
 /// names are not in the description, or that have none, are despawned.
 pub fn apply(world: &mut World, description: &SceneDescription) {
+    apply_changes(world, None, description);
+}
+
+/// The same, but leaves alone what is in the description as it was in an earlier one: what was edited since stays so.
+pub fn apply_changes(world: &mut World, earlier: Option<&SceneDescription>, description: &SceneDescription) {
     let materials = match_by_name::<Material>(world, description.materials.keys());
     for (name, material) in &description.materials {
-        set(world, materials[name], material);
+        set_change(world, materials[name], earlier.and_then(|e| e.materials.get(name)), material);
     }
     let meshes = match_by_name::<Geometry>(world, description.meshes.keys());
     for (name, mesh) in &description.meshes {
-        apply_mesh(world, meshes[name], mesh, materials.get(&mesh.material).copied());
+        let material = materials.get(&mesh.material).copied();
+        apply_mesh(world, meshes[name], earlier.and_then(|e| e.meshes.get(name)), mesh, material);
     }
     let cameras = match_by_name::<Camera>(world, description.cameras.keys());
     for (name, camera) in &description.cameras {
-        set(world, cameras[name], camera);
-        mark_active(world, cameras[name], *name == description.active);
+        set_change(world, cameras[name], earlier.and_then(|e| e.cameras.get(name)), camera);
+    }
+    let chosen = earlier.is_some_and(|e| e.active == description.active);
+    if !chosen || !cameras.values().any(|camera| world.get::<Active>(*camera).is_some()) {
+        for (name, camera) in &cameras {
+            mark_active(world, *camera, *name == description.active);
+        }
     }
     let film = match_by_name::<Film>(world, [&"film".to_owned()])["film"];
-    set(world, film, &description.film);
-    set(world, film, &description.render);
+    set_change(world, film, earlier.map(|e| &e.film), &description.film);
+    set_change(world, film, earlier.map(|e| &e.render), &description.render);
     let name = "environment".to_owned();
     let environments = match_by_name::<Environment>(world, description.environment.iter().map(|_| &name));
     if let Some(environment) = &description.environment {
-        set(world, environments[&name], environment);
+        set_change(world, environments[&name], earlier.and_then(|e| e.environment.as_ref()), environment);
     }
 }
 
@@ -67,6 +78,18 @@ fn match_by_name<'n, Kind: Component>(
     found
 }
 
+/// Writes a component if it differs from what is there, unless the description says what it said earlier.
+fn set_change<T: Component<Mutability = Mutable> + Clone + PartialEq>(
+    world: &mut World,
+    entity: Entity,
+    earlier: Option<&T>,
+    value: &T,
+) {
+    if earlier != Some(value) || world.get::<T>(entity).is_none() {
+        set(world, entity, value);
+    }
+}
+
 /// Writes a component if it differs from what is there.
 fn set<T: Component<Mutability = Mutable> + Clone + PartialEq>(world: &mut World, entity: Entity, value: &T) {
     match world.get::<T>(entity) {
@@ -79,12 +102,18 @@ fn set<T: Component<Mutability = Mutable> + Clone + PartialEq>(world: &mut World
 }
 
 /// Writes what differs of a mesh. Equal geometry keeps the shared data that is there, wherever it was read from.
-fn apply_mesh(world: &mut World, entity: Entity, mesh: &MeshEntry, material: Option<Entity>) {
+fn apply_mesh(
+    world: &mut World,
+    entity: Entity,
+    earlier: Option<&MeshEntry>,
+    mesh: &MeshEntry,
+    material: Option<Entity>,
+) {
     let same = |held: &Geometry| Arc::ptr_eq(&held.0, &mesh.geometry) || held.0 == mesh.geometry;
     if !world.get::<Geometry>(entity).is_some_and(same) {
         world.entity_mut(entity).insert(Geometry(mesh.geometry.clone()));
     }
-    set(world, entity, &mesh.transform);
+    set_change(world, entity, earlier.map(|e| &e.transform), &mesh.transform);
     match material {
         Some(material) => set(world, entity, &UsesMaterial(material)),
         None => {

@@ -63,13 +63,21 @@ pub struct Loaded {
 ///
 /// `defines` change values of the scene file by field path before it is typed: `("materials.teapot.ns", "64")`.
 pub fn load(scene: &Path, defines: &[(String, String)]) -> Result<Loaded, Diagnostics> {
+    attempt(scene, defines).0
+}
+
+/// The same, and every file that was read or looked for, whatever came of it.
+pub fn attempt(scene: &Path, defines: &[(String, String)]) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
     let mut loader = Loader::default();
-    match loader.load(scene, defines) {
+    let description = loader.load(scene, defines);
+    let files = loader.files.clone();
+    let loaded = match description {
         Some(description) if !loader.diagnostics.has_errors() => {
             Ok(Loaded { description, warnings: loader.diagnostics.list, files: loader.files })
         }
         _ => Err(loader.diagnostics),
-    }
+    };
+    (loaded, files)
 }
 
 /// Whether a path is that of an OBJ file.

@@ -21,9 +21,9 @@ mod suggest;
 mod text;
 mod triangulate;
 
-pub use apply::apply;
+pub use apply::{apply, apply_changes};
 pub use check::{Checked, check};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use find::{find, names};
-pub use load::{Loaded, MeshEntry, SceneDescription, load};
+pub use load::{Loaded, MeshEntry, SceneDescription, attempt, load};
 pub use triangulate::triangulate;

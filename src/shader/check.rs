@@ -35,7 +35,7 @@ pub fn check(
 }
 
 /// Validates for an adapter without optional features: what a shader needs beyond has no place in a portable engine.
-fn validate(module: &Module, text: &str, map: &SourceMap) -> Result<ModuleInfo, ShaderError> {
+pub fn validate(module: &Module, text: &str, map: &SourceMap) -> Result<ModuleInfo, ShaderError> {
     let mut validator = Validator::new(ValidationFlags::all(), Capabilities::default());
     validator.validate(module).map_err(|error| validation_error(&error, module, text, map))
 }

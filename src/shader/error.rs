@@ -33,6 +33,8 @@ pub enum ErrorKind {
     Binding,
     /// A shared struct that naga lays out otherwise than Rust.
     Layout,
+    /// A loop of an edited shader that had to be ended while it ran.
+    Loop,
 }
 
 /// An error in a shader, at its place in the original file. Displays as `file:line:column: message`.
@@ -46,7 +48,7 @@ pub struct ShaderError {
 }
 
 /// A place in a source.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Place {
     pub source: Arc<Source>,
     /// Bytes of `source.text`.
@@ -76,8 +78,12 @@ impl Place {
 
 impl ShaderError {
     pub(super) fn at(kind: ErrorKind, source: &Arc<Source>, range: Range<usize>, message: impl Into<String>) -> Self {
-        let place = Some(Box::new(Place::new(source.clone(), range)));
-        ShaderError { kind, message: message.into(), help: None, place }
+        Self::of(kind, Place::new(source.clone(), range), message)
+    }
+
+    /// An error at a place.
+    pub fn of(kind: ErrorKind, place: Place, message: impl Into<String>) -> Self {
+        ShaderError { kind, message: message.into(), help: None, place: Some(Box::new(place)) }
     }
 
     pub(super) fn nowhere(kind: ErrorKind, message: impl Into<String>) -> Self {

@@ -28,6 +28,10 @@ impl Shared {
         self.consts.extend(consts);
     }
 
+    pub fn is_struct(&self, name: &str) -> bool {
+        self.structs.iter().any(|known| known.name == name)
+    }
+
     pub fn knows(&self, name: &str) -> bool {
         self.structs.iter().any(|known| known.name == name) || self.consts.iter().any(|known| known.name == name)
     }

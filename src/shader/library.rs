@@ -53,9 +53,13 @@ impl Library {
 
     /// `./shaders` where that is a folder of ours, else the embedded ones.
     pub fn shipped() -> Self {
+        Library::local_folder().and_then(|folder| Library::open(folder).ok()).unwrap_or_else(Library::embedded)
+    }
+
+    /// `./shaders`, where that is a folder of ours.
+    pub fn local_folder() -> Option<&'static Path> {
         let folder = Path::new("shaders");
-        let ours = folder.join("passes").is_dir() && folder.join("lib").is_dir();
-        if ours && let Ok(library) = Library::open(folder) { library } else { Library::embedded() }
+        (folder.join("passes").is_dir() && folder.join("lib").is_dir()).then_some(folder)
     }
 
     /// The library with one module replaced or added.
@@ -135,6 +139,11 @@ impl Library {
             None => Err(ShaderError::nowhere(ErrorKind::Import, format!("there is no shader `{name}`"))
                 .help(format!("shaders are named by their path below {}/, without .wgsl", self.folder))),
         }
+    }
+
+    /// Whether a module is, to the byte, the one that this binary was built with.
+    pub(super) fn is_embedded(&self, name: &str) -> bool {
+        EMBEDDED.iter().any(|(module, text)| *module == name && self.text(name) == Some(text))
     }
 
     pub(super) fn has(&self, name: &str) -> bool {

@@ -1,14 +1,16 @@
 //! Joins a module with what it imports into one text, and keeps where each byte came from.
 
+use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{Hash, Hasher};
 use std::ops::Range;
 use std::sync::Arc;
 
 use super::error::{ErrorKind, Place, ShaderError, Source};
 use super::generated::Generated;
 use super::library::Library;
-use super::module::{Import, Module};
-use super::{Features, check};
+use super::module::{Import, Module, Named};
+use super::{Features, budget, check, token};
 
 /// A module with all it imports: parsed, valid, and rid of what no entry point uses.
 #[derive(Debug)]
@@ -21,6 +23,53 @@ pub struct Linked {
     pub imports: BTreeSet<String>,
     /// The enabled features that any condition in it names: two links of a module with equal features have equal text.
     pub features: Features,
+    /// Some module of it is not the one that this binary was built with.
+    pub edited: bool,
+    /// The module that was asked for.
+    root: Arc<Source>,
+    map: SourceMap,
+}
+
+impl Linked {
+    /// A number for what the text says: comments and white space apart, equal texts have equal numbers.
+    pub fn fingerprint(&self) -> u64 {
+        let source = Arc::new(Source { file: String::new(), text: self.text.clone() });
+        let mut hasher = DefaultHasher::new();
+        for token in token::tokenize(&source).unwrap_or_default() {
+            source.text[token.range].hash(&mut hasher);
+        }
+        hasher.finish()
+    }
+
+    /// Where a global variable or an entry point is declared; for one that is not, where the module itself begins.
+    pub fn place_of(&self, name: &str) -> Place {
+        let variables = self.module.global_variables.iter();
+        let variable = variables
+            .filter(|(_, variable)| variable.name.as_deref() == Some(name))
+            .find_map(|(handle, _)| self.module.global_variables.get_span(handle).to_range());
+        let declared = variable.or_else(|| {
+            let start = self.text.find(&format!("fn {name}("))?;
+            Some(start..start + 3 + name.len())
+        });
+        match declared {
+            Some(range) => self.place(range),
+            None => Place::new(self.root.clone(), 0..0),
+        }
+    }
+
+    /// Gives every loop an end after `rounds` rounds of all loops of an invocation: [`LOOP_FAULTS`](super::LOOP_FAULTS)
+    /// becomes a binding of those entry points that have loops. Returns the places of the loops, in the order of their
+    /// numbers, of which the first is `first`.
+    pub fn limit_loops(&mut self, rounds: u32, first: u32) -> Result<Vec<Place>, ShaderError> {
+        let spans = budget::limit_loops(&mut self.module, rounds, first);
+        self.info = check::validate(&self.module, &self.text, &self.map)?;
+        Ok(spans.into_iter().map(|span| self.place(span.to_range().unwrap_or(0..0))).collect())
+    }
+
+    fn place(&self, range: Range<usize>) -> Place {
+        let (source, range) = self.map.origin(range);
+        Place::new(source.clone(), range)
+    }
 }
 
 /// Links a module of a library.
@@ -28,15 +77,21 @@ pub fn link(library: &Library, root: &str, features: &Features) -> Result<Linked
     let closure = Closure::gather(library, root, features)?;
     let owners = closure.owners()?;
     closure.check_uses(&owners)?;
+    closure.check_shared(library)?;
     let (text, map) = closure.join();
     let (module, info) = check::check(&text, &map, &closure.generated, library, features)?;
     let named = closure.modules.iter().flat_map(|(_, module)| &module.features);
+    let edited = closure.modules.iter().any(|(name, _)| !library.is_embedded(name));
+    let (_, last) = closure.modules.last().expect("invariant: a closure ends in the module that was asked for");
     Ok(Linked {
         module,
         info,
+        edited,
+        root: last.source.clone(),
         imports: closure.modules.iter().map(|(name, _)| name.clone()).collect(),
         features: named.filter(|name| features.contains(*name)).cloned().collect(),
         text,
+        map,
     })
 }
 
@@ -94,6 +149,21 @@ impl Closure {
                 let message = format!("`{name}` is not imported here");
                 return Err(ShaderError::at(ErrorKind::Import, &module.source, used.range.clone(), message)
                     .help(format!("import package::{path}::{name};")));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a struct of a name that `package::gen` has: a binding of that type would have another layout than the buffer
+    /// that Rust fills.
+    fn check_shared(&self, library: &Library) -> Result<(), ShaderError> {
+        for declared in self.modules.iter().flat_map(|(_, module)| module.declarations.iter().map(move |d| (module, d)))
+        {
+            let (module, Named { name, range }) = declared;
+            if library.shared().is_struct(name) {
+                let message = format!("`{name}` is shared with Rust, and package::gen declares it");
+                return Err(ShaderError::at(ErrorKind::Duplicate, &module.source, range.clone(), message)
+                    .help(format!("import package::gen::{name};")));
             }
         }
         Ok(())
@@ -176,11 +246,13 @@ impl Walk<'_> {
 }
 
 /// Where the bytes of a joined text came from.
+#[derive(Debug)]
 pub struct SourceMap {
     /// In order of `start`.
     pieces: Vec<Piece>,
 }
 
+#[derive(Debug)]
 struct Piece {
     /// Bytes of the joined text.
     range: Range<usize>,

@@ -6,6 +6,7 @@
 //! `package::gen` holds the structs and constants of [`crate::layout`]. `@if(feature)`, `@elif` and `@else` stand before
 //! declarations, statements, struct members and parameters.
 
+mod budget;
 mod check;
 mod conditional;
 mod error;
@@ -20,6 +21,7 @@ mod token;
 
 use std::collections::BTreeSet;
 
+pub use budget::LOOP_FAULTS;
 pub use error::{ErrorKind, Place, ShaderError, Source};
 pub use library::Library;
 pub use link::Linked;

@@ -35,6 +35,15 @@ pub enum ResourceKind {
     StorageReadWrite,
 }
 
+impl std::fmt::Display for ResourceKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            ResourceKind::StorageRead => "var<storage, read>",
+            ResourceKind::StorageReadWrite => "var<storage, read_write>",
+        })
+    }
+}
+
 impl Linked {
     /// The entry point of a name.
     pub fn entry(&self, name: &str) -> Option<EntryPoint> {

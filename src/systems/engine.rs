@@ -7,6 +7,7 @@ use std::time::Duration;
 use bevy_ecs::prelude::*;
 
 use super::governor::Governor;
+use super::reload::{self, Problem, Reload, ReloadEvent, Sources, WatchError};
 use super::report::{self, FilmImage, Report};
 use super::schedule;
 use super::state::{Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, PackedScene, Pending, Spent};
@@ -50,6 +51,13 @@ pub struct Progress {
     pub dispatches: u64,
     /// Every pixel has all its samples.
     pub finished: bool,
+}
+
+/// Has everything sent and traced anew: what was packed may not have been sent, nor what was recorded have run.
+pub(super) fn start_again(world: &mut World) {
+    *world.resource_mut::<Pending>() = Pending::default();
+    world.resource_mut::<PackedScene>().send_again();
+    world.resource_mut::<Dirty>().film = true;
 }
 
 /// A world of entities, the schedule that runs on it, and the device it runs on.
@@ -98,11 +106,7 @@ impl Engine {
         self.schedule.run(&mut self.world);
         self.world.clear_trackers();
         if let Some(error) = self.world.resource_mut::<Fault>().0.take() {
-            // What was packed may not have been sent, nor what was recorded have run: all starts anew once the cause is gone.
-            *self.world.resource_mut::<Pending>() = Pending::default();
-            self.world.resource_mut::<PackedScene>().send_again();
-            self.world.resource_mut::<Dirty>().film = true;
-            return Err(error);
+            reload::go_back(&mut self.world, error).inspect_err(|_| start_again(&mut self.world))?;
         }
         let progress = *self.world.resource::<FilmProgress>();
         let target = self.world.resource::<PackedScene>().target;
@@ -113,6 +117,32 @@ impl Engine {
             dispatches: self.dispatches().values().sum::<u64>() - before,
             finished: progress.samples >= target,
         })
+    }
+
+    /// Takes up what is saved from now on, in every step. `wake` is called, from another thread, when the next step has
+    /// something to take up.
+    pub fn watch(&mut self, sources: Sources, wake: impl Fn() + Send + 'static) -> Result<(), WatchError> {
+        let compiler = self.world.resource::<Device>().0.compiler();
+        self.world.insert_resource(Reload::start(sources, compiler, Box::new(wake))?);
+        Ok(())
+    }
+
+    /// What happened to what was saved, since the last call; nothing without a watch.
+    pub fn events(&mut self) -> Vec<ReloadEvent> {
+        self.world.get_resource_mut::<Reload>().map(|mut reload| std::mem::take(&mut reload.events)).unwrap_or_default()
+    }
+
+    /// What is wrong with the saved files: the engine runs the last that were right.
+    pub fn problems(&self) -> Vec<Problem> {
+        let standing = self.world.get_resource::<Reload>().map(|reload| &reload.problems);
+        standing.into_iter().flat_map(|all| all.code.iter().chain(&all.scene)).cloned().collect()
+    }
+
+    /// Has everything that is watched read again, changed or not.
+    pub fn reload(&self) {
+        if let Some(reload) = self.world.get_resource::<Reload>() {
+            reload.force();
+        }
     }
 
     /// How often each pass was dispatched since the engine opened.

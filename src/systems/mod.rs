@@ -1,6 +1,6 @@
 //! One file a phase of the schedule.
 //!
-//! `Extract -> Upload -> Build -> Trace -> Accumulate -> Present -> Submit`. Extract finds what changed by change
+//! `Reload -> Extract -> Upload -> Build -> Trace -> Accumulate -> Present -> Submit`. Extract finds what changed by change
 //! detection, and compares values, so that an edit which changes nothing resets nothing. Each later phase does only what
 //! an earlier one left for it in [`state`].
 
@@ -10,6 +10,7 @@ mod engine;
 mod extract;
 mod governor;
 mod present;
+pub mod reload;
 mod report;
 pub mod save;
 pub mod state;
@@ -25,6 +26,8 @@ pub use report::{FilmImage, Report};
 /// The phases, in order.
 #[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Phase {
+    /// Puts in place what was saved and compiled since the last run.
+    Reload,
     /// Components to packed arrays, and to a list of what they change.
     Extract,
     /// Packed arrays to buffers.
@@ -45,9 +48,19 @@ pub enum Phase {
 pub fn schedule() -> Schedule {
     let mut schedule = Schedule::default();
     schedule.configure_sets(
-        (Phase::Extract, Phase::Upload, Phase::Build, Phase::Trace, Phase::Accumulate, Phase::Present, Phase::Submit)
+        (
+            Phase::Reload,
+            Phase::Extract,
+            Phase::Upload,
+            Phase::Build,
+            Phase::Trace,
+            Phase::Accumulate,
+            Phase::Present,
+            Phase::Submit,
+        )
             .chain(),
     );
+    reload::add_systems(&mut schedule);
     extract::add_systems(&mut schedule);
     upload::add_systems(&mut schedule);
     build::add_systems(&mut schedule);

@@ -27,6 +27,7 @@ fn submit_frame(
         let start = Instant::now();
         device.0.play(&frame.build)?;
         device.0.wait()?;
+        device.0.check_loops()?;
         spent.build += start.elapsed().as_secs_f64();
         governor.forget();
     }
@@ -37,6 +38,7 @@ fn submit_frame(
     let start = Instant::now();
     device.0.play(&frame.trace)?;
     device.0.wait()?;
+    device.0.check_loops()?;
     let seconds = start.elapsed().as_secs_f64();
     spent.trace += seconds;
     if batch.layers > 0 {

@@ -1,0 +1,123 @@
+//! `lucerna watch`: the engine without a window, for tests and for editors' tools. One JSON object a line and event.
+
+use std::io::Write;
+use std::sync::mpsc::channel;
+use std::time::Duration;
+
+use serde_json::{Value, json};
+
+use super::arguments::WatchArguments;
+use super::failure::show;
+use super::interrupt::Interrupt;
+use super::{Exit, Failure};
+use crate::gpu::Gpu;
+use crate::systems::Engine;
+use crate::systems::reload::{Problem, ReloadEvent, Restarts};
+
+/// Tracing between two looks at what was saved.
+const STEP: Duration = Duration::from_millis(30);
+
+/// Between two looks at signals, while there is nothing to trace.
+const IDLE: Duration = Duration::from_millis(200);
+
+/// Renders until a signal comes, or nobody reads the events any more.
+pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
+    let interrupt = Interrupt::listen();
+    let opened = arguments.of.open(arguments.quiet)?;
+    let library = arguments.of.library()?;
+    let gpu = Gpu::open()?;
+    let mut engine = Engine::open(gpu, library.clone(), &opened.description).map_err(Failure::engine)?;
+    // What is wrong from the start ends it: there is nothing yet to go on with.
+    engine.step(STEP).map_err(Failure::engine)?;
+    let size = opened.description.film.size;
+    let started = json!({ "event": "watching", "scene": opened.path.display().to_string(), "size": [size.x, size.y] });
+    let (wake, woken) = channel();
+    engine
+        .watch(arguments.of.sources(opened, library), move || {
+            let _ = wake.send(());
+        })
+        .map_err(Failure::of)?;
+    if !tell(&started) {
+        return Ok(Exit::Done);
+    }
+    let mut finished = false;
+    while !interrupt.asked() {
+        let step = engine.step(STEP);
+        for event in engine.events() {
+            if !arguments.quiet {
+                show_problems(&event);
+            }
+            if !tell(&as_json(&event)) {
+                return Ok(Exit::Done);
+            }
+        }
+        let step = step.map_err(Failure::engine)?;
+        if step.finished && !finished && !tell(&json!({ "event": "finished", "spp": step.spp })) {
+            return Ok(Exit::Done);
+        }
+        finished = step.finished;
+        if finished && step.dispatches == 0 {
+            // Whether it was woken or the time is up, the next step finds out.
+            let _ = woken.recv_timeout(IDLE);
+        }
+    }
+    Ok(Exit::Done)
+}
+
+/// Writes a line to stdout. False if nobody reads it.
+fn tell(event: &Value) -> bool {
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "{event}").and_then(|()| out.flush()).is_ok()
+}
+
+fn show_problems(event: &ReloadEvent) {
+    let problems = match event {
+        ReloadEvent::Failed { problems, .. } => problems,
+        ReloadEvent::Reloaded { warnings, .. } => warnings,
+        ReloadEvent::FirstPixels { .. } => return,
+    };
+    problems.iter().for_each(|problem| show(&*problem.diagnostic));
+}
+
+/// An event as programs get it. The first problem of several stands in the event itself too.
+fn as_json(event: &ReloadEvent) -> Value {
+    match event {
+        ReloadEvent::Reloaded { files, restarts, warnings, since_save } => json!({
+            "event": "reloaded",
+            "files": files,
+            "restarts": parts(restarts),
+            "warnings": warnings.iter().map(problem).collect::<Vec<_>>(),
+            "milliseconds": milliseconds(*since_save),
+        }),
+        ReloadEvent::Failed { files, problems, since_save } => {
+            let mut event = json!({
+                "event": "failed",
+                "files": files,
+                "problems": problems.iter().map(problem).collect::<Vec<_>>(),
+                "milliseconds": milliseconds(*since_save),
+            });
+            if let (Some(first), Some(event)) = (problems.first(), event.as_object_mut())
+                && let Value::Object(fields) = problem(first)
+            {
+                event.extend(fields);
+            }
+            event
+        }
+        ReloadEvent::FirstPixels { since_save } => {
+            json!({ "event": "first_pixels", "milliseconds": milliseconds(*since_save) })
+        }
+    }
+}
+
+fn parts(restarts: &Restarts) -> Vec<&'static str> {
+    let parts = [(restarts.tree, "tree"), (restarts.film, "film"), (restarts.picture, "picture")];
+    parts.into_iter().filter_map(|(on, name)| on.then_some(name)).collect()
+}
+
+fn problem(problem: &Problem) -> Value {
+    json!({ "file": problem.file, "line": problem.line, "column": problem.column, "message": problem.message })
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    (time.as_secs_f64() * 1e4).round() / 10.0
+}

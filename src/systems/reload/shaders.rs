@@ -1,0 +1,57 @@
+//! The folder of shaders: which files are other ones than at the last look.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::event::Problem;
+use super::worker::Look;
+use crate::gpu::{Code, Compiler};
+use crate::shader::Library;
+
+/// A folder of shaders as it was last seen.
+pub struct ShaderFolder {
+    folder: PathBuf,
+    /// Hash of each module's text, by its name.
+    seen: BTreeMap<String, Option<u64>>,
+    compiler: Compiler,
+}
+
+impl ShaderFolder {
+    /// `library` is what runs now, as it was read from the folder.
+    pub fn new(folder: PathBuf, library: &Library, compiler: Compiler) -> Self {
+        Self { folder, seen: hashes(library), compiler }
+    }
+
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Reads the folder and compiles what is other code now. `patient`: a file that is empty or gone is being saved.
+    pub fn look(&mut self, patient: bool, force: bool) -> Look<Code> {
+        let library = match Library::open(&self.folder) {
+            Ok(library) => library,
+            Err(_) if patient => return Look::Unfinished,
+            Err(error) => return Look::Changed { files: vec![self.folder.clone()], result: Err(vec![error.into()]) },
+        };
+        let now = hashes(&library);
+        let mut changed: Vec<&String> =
+            now.iter().filter(|(name, hash)| self.seen.get(*name) != Some(hash)).map(|(name, _)| name).collect();
+        changed.extend(self.seen.keys().filter(|name| !now.contains_key(*name)));
+        if changed.is_empty() && !force {
+            return Look::Same;
+        }
+        let unfinished = |name: &&String| library.text(name).is_none_or(|text| text.trim().is_empty());
+        if patient && changed.iter().any(unfinished) {
+            return Look::Unfinished;
+        }
+        let files = changed.iter().map(|name| self.folder.join(format!("{name}.wgsl"))).collect();
+        let edited = changed.into_iter().cloned().collect();
+        let result = self.compiler.remake(library, &edited).map_err(|error| vec![Problem::from(error)]);
+        self.seen = now;
+        Look::Changed { files, result }
+    }
+}
+
+fn hashes(library: &Library) -> BTreeMap<String, Option<u64>> {
+    library.modules().map(|name| (name.to_owned(), library.hash(name))).collect()
+}

@@ -1,0 +1,194 @@
+//! Puts in place what the worker made, tells what that restarts, and brings back what was there if it fails.
+
+use std::sync::PoisonError;
+
+use bevy_ecs::prelude::*;
+
+use super::event::{Problem, ReloadEvent, Restarts};
+use super::worker::Outcome;
+use super::{Reload, Taken};
+use crate::gpu::{Code, GpuError};
+use crate::passes::Makes;
+use crate::scene::{self, Loaded};
+use crate::shader::ErrorKind;
+use crate::systems::engine::start_again;
+use crate::systems::governor::Governor;
+use crate::systems::state::{Batch, Device, Dirty, FilmProgress, no_fault};
+use crate::systems::{EngineError, Phase};
+
+/// Where the film and its counters are put aside while other code is on trial.
+const ASIDE: [(&str, &str); 2] = [("film", "film_aside"), ("counters", "counters_aside")];
+
+pub fn add_systems(schedule: &mut Schedule) {
+    schedule.add_systems(
+        (
+            take_up_saves.in_set(Phase::Reload),
+            tell_what_restarts.after(Phase::Extract).before(Phase::Upload).run_if(no_fault),
+            end_trial.after(Phase::Submit).run_if(no_fault),
+        )
+            .run_if(resource_exists::<Reload>),
+    );
+}
+
+/// Takes up all that the worker has sent.
+fn take_up_saves(world: &mut World) {
+    world.resource_scope(|world, mut reload: Mut<Reload>| {
+        let outcomes: Vec<Outcome> =
+            reload.outcomes.get_mut().unwrap_or_else(PoisonError::into_inner).try_iter().collect();
+        for outcome in outcomes {
+            take_up(world, &mut reload, outcome);
+        }
+    });
+}
+
+fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
+    let Outcome { saved, files, code, scene } = outcome;
+    let (mut good, mut problems, mut warnings) = (false, Vec::new(), Vec::new());
+    match code {
+        Some(Ok(code)) => {
+            good = true;
+            reload.problems.code.clear();
+            put_code(world, reload, code);
+        }
+        Some(Err(found)) => {
+            problems.extend(found.iter().cloned());
+            reload.problems.code = found;
+        }
+        None => {}
+    }
+    match scene {
+        Some(Ok(loaded)) => {
+            good = true;
+            reload.problems.scene.clear();
+            warnings = put_scene(world, reload, *loaded);
+        }
+        Some(Err(found)) => {
+            problems.extend(found.iter().cloned());
+            reload.problems.scene = found;
+        }
+        None => {}
+    }
+    if good {
+        reload.trial.files.clone_from(&files);
+        reload.taken.push(Taken { saved, files: files.clone(), warnings });
+    }
+    if !problems.is_empty() {
+        reload.events.push(ReloadEvent::Failed { files, problems, since_save: saved.elapsed() });
+    }
+}
+
+/// Runs other code from now on, and puts the film aside that the old code made.
+fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
+    let (old, changed) = world.resource_mut::<Device>().0.replace(code);
+    for pass in changed {
+        match pass.makes {
+            Makes::Tree => reload.code_restarts.tree = true,
+            Makes::Film => reload.code_restarts.film = true,
+            Makes::Picture => reload.code_restarts.picture = true,
+            Makes::Answers => {}
+        }
+    }
+    if reload.code_restarts == Restarts::default() || reload.trial.code.is_some() && !reload.trial.passed {
+        return;
+    }
+    reload.trial.code = Some(old);
+    reload.trial.passed = false;
+    if reload.code_restarts.film {
+        let device = &mut world.resource_mut::<Device>().0;
+        let kept = ASIDE.iter().all(|(from, to)| device.copy(from, to).is_ok());
+        reload.trial.film = kept.then(|| *world.resource::<FilmProgress>());
+    }
+}
+
+/// Makes the world hold another scene, but for what was edited beside the files and is the same in both. Returns what was
+/// not taken as written.
+fn put_scene(world: &mut World, reload: &mut Reload, loaded: Loaded) -> Vec<Problem> {
+    scene::apply_changes(world, reload.description.as_ref(), &loaded.description);
+    let old = reload.description.replace(loaded.description);
+    if reload.trial.scene.is_none() {
+        reload.trial.scene = old;
+    }
+    loaded.warnings.into_iter().map(Problem::from).collect()
+}
+
+/// Adds what other code makes anew to what the extracted changes do, and tells both.
+fn tell_what_restarts(mut reload: ResMut<Reload>, mut dirty: ResMut<Dirty>, mut governor: ResMut<Governor>) {
+    if dirty.film {
+        // The film that is aside is one of another scene, or seen from elsewhere.
+        reload.trial.film = None;
+    }
+    let code = std::mem::take(&mut reload.code_restarts);
+    if code.tree || code.film {
+        governor.forget();
+    }
+    dirty.tree |= code.tree;
+    dirty.film |= code.film;
+    dirty.picture |= code.picture;
+    let restarts = Restarts { tree: dirty.tree, film: dirty.film, picture: dirty.picture };
+    for Taken { saved, files, warnings } in std::mem::take(&mut reload.taken) {
+        if restarts != Restarts::default() {
+            reload.awaited.get_or_insert(saved);
+        }
+        reload.events.push(ReloadEvent::Reloaded { files, restarts, warnings, since_save: saved.elapsed() });
+    }
+}
+
+/// Tells the first pixels, and ends the trial once every pixel has a sample.
+fn end_trial(mut reload: ResMut<Reload>, batch: Res<Batch>, progress: Res<FilmProgress>) {
+    if (batch.layers > 0 || progress.shown)
+        && let Some(saved) = reload.awaited.take()
+    {
+        reload.events.push(ReloadEvent::FirstPixels { since_save: saved.elapsed() });
+    }
+    if progress.samples > 0 {
+        reload.trial.scene = None;
+        reload.trial.film = None;
+        reload.trial.passed = true;
+    }
+}
+
+/// Brings back what was there before what is on trial, if an error may come from that; else gives the error back.
+///
+/// A loop that does not end shows late where few pixels come to it: code can be taken back for that even after its trial.
+pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError> {
+    let Some(mut reload) = world.remove_resource::<Reload>() else { return Err(error) };
+    let endless = is_endless(&error);
+    let lost = matches!(error, EngineError::Gpu(GpuError::Lost { .. }));
+    let code = reload.trial.code.take_if(|_| !reload.trial.passed || endless);
+    let scene = reload.trial.scene.take().filter(|_| !endless);
+    if lost || code.is_none() && scene.is_none() {
+        world.insert_resource(reload);
+        return Err(error);
+    }
+    let problem = Problem::from(error);
+    if let Some(code) = code {
+        world.resource_mut::<Device>().0.replace(code);
+        reload.problems.code = vec![problem.clone()];
+    }
+    if let Some(scene) = scene {
+        scene::apply_changes(world, reload.description.as_ref(), &scene);
+        reload.description = Some(scene);
+        reload.problems.scene = vec![problem.clone()];
+    }
+    match reload.trial.film.take().filter(|_| endless) {
+        Some(film) => {
+            let device = &mut world.resource_mut::<Device>().0;
+            let restored = ASIDE.iter().all(|(from, to)| device.copy(to, from).is_ok());
+            *world.resource_mut::<FilmProgress>() = FilmProgress { shown: false, ..film };
+            world.resource_mut::<Dirty>().film = !restored;
+        }
+        None => start_again(world),
+    }
+    world.resource_mut::<Governor>().forget();
+    let saved = reload.awaited.take().or(reload.taken.first().map(|taken| taken.saved));
+    let since_save = saved.map(|saved| saved.elapsed()).unwrap_or_default();
+    reload.taken.clear();
+    let files = reload.trial.files.clone();
+    reload.events.push(ReloadEvent::Failed { files, problems: vec![problem], since_save });
+    world.insert_resource(reload);
+    Ok(())
+}
+
+fn is_endless(error: &EngineError) -> bool {
+    matches!(error, EngineError::Gpu(GpuError::Shader(error)) if error.kind == ErrorKind::Loop)
+}

@@ -1,0 +1,90 @@
+//! Wrong edits of every kind: the last good code goes on, the message has its place, and the next good save is taken.
+
+use super::Bench;
+
+const PATH: &str = "shaders/passes/trace/path.wgsl";
+
+/// Makes a wrong edit while samples are traced, checks what is said of it, and that tracing went on; then mends it.
+#[track_caller]
+fn check(bench: &mut Bench, file: &str, (from, to): (&str, &str), at: &str, message: &str) {
+    let before = bench.film();
+    let good = bench.read(file);
+    assert!(good.contains(from), "{file} has no `{from}`");
+    bench.write(file, &good.replace(from, to));
+    let (line, column) = place(&bench.read(file), at);
+    let (named, found_line, found_column, found) = bench.failed();
+    assert_eq!((named.as_str(), found_line, found_column), (file, line, column), "{found}");
+    assert!(found.contains(message), "`{found}` does not say `{message}`");
+    assert_eq!(bench.engine.problems().len(), 1, "{found} stands until it is mended");
+    let after = bench.film();
+    assert!(before.pixels == after.pixels && before.spp == after.spp, "{found}: the picture is not what it was");
+    bench.write(file, &good);
+    assert_eq!(bench.reloaded(), "nothing");
+    assert!(bench.engine.problems().is_empty());
+    assert!(bench.film().pixels == before.pixels);
+}
+
+/// Line and column, from 1, of a text in another.
+fn place(text: &str, part: &str) -> (usize, usize) {
+    let at = text.find(part).unwrap_or_else(|| panic!("no `{part}`"));
+    let line = text[..at].matches('\n').count() + 1;
+    (line, at - text[..at].rfind('\n').map_or(0, |newline| newline + 1) + 1)
+}
+
+#[test]
+fn wrong_shaders_leave_the_picture_and_say_where() {
+    let mut bench = Bench::new();
+    let bench = &mut bench;
+    check(bench, PATH, ("(*state).rays += 1u;", "(*state).rays += ;"), ";\n    return traverse", "expected expression");
+    check(bench, PATH, ("(*state).rays += 1u;", "(*state).rays += 1.5f;"), "(*state).rays += 1.5f", "");
+    check(bench, PATH, ("import package::lib::fault::{fault_of};", ""), "fault_of((*state)", "`fault_of`");
+    check(bench, PATH, ("package::lib::fault::", "package::lib::faults::"), "fault_of};", "no module `lib/faults`");
+    check(bench, PATH, ("materials", "stuff"), "fn path(", "binds `materials`");
+    check(
+        bench,
+        PATH,
+        ("@binding(3) var<storage, read>", "@binding(2) var<storage, read>"),
+        "var<storage, read> materials:",
+        "@binding(2)",
+    );
+    check(bench, PATH, ("fn path(", "fn paths("), "// Paths from the camera", "entry point `path`");
+    // A module that the scene does not need is checked too.
+    let half = ("return cos_theta + sqrt(cos_theta * cos_theta + slope);", "return cos_theta + ;");
+    check(bench, "shaders/lib/bsdf/ggx.wgsl", half, ";\n}\n\n// The density D", "expected expression");
+    let display = "shaders/passes/display/display.wgsl";
+    let written = ("var<storage, read> film", "var<storage, read_write> film");
+    check(bench, display, written, written.1, "binds `film` as var<storage, read>");
+    let own = "import package::gen::{DisplayParams};\nstruct FilmPixel { halves: array<vec2<u32>, 2> }";
+    check(bench, display, ("import package::gen::{DisplayParams, FilmPixel};", own), "FilmPixel {", "shared with Rust");
+}
+
+#[test]
+fn a_loop_without_an_end_is_ended_and_its_place_told() {
+    let mut bench = Bench::new();
+    let endless = "while ((*state).rays < 4000000000u) { (*state).bounce *= 1u; }";
+    let to = format!("(*state).rays += 1u; {endless}");
+    check(&mut bench, PATH, ("(*state).rays += 1u;", &to), endless, "this loop does not end");
+}
+
+#[test]
+fn wrong_scenes_leave_the_picture_and_say_where() {
+    let mut bench = Bench::new();
+    let bench = &mut bench;
+    check(bench, "scene.ron", ("render: (", "render ("), "(integrator", "");
+    check(bench, "scene.ron", ("max_depth: 3", "max_deep: 3"), "max_deep", "max_deep");
+    check(bench, "scene.ron", ("\"room.obj\"", "\"rom.obj\""), "\"rom.obj\"", "rom.obj");
+    check(bench, "room.obj", ("f 5 6 7 8", "f 5 6 7 9"), "9\n", "9");
+}
+
+#[test]
+fn a_scene_that_the_engine_refuses_gives_way_to_the_last() {
+    let mut bench = Bench::new();
+    let before = bench.film();
+    let good = bench.replace("scene.ron", "exposure: 0.0", "crop: Some((0, 40, 0, 8)), exposure: 0.0");
+    let (.., message) = bench.failed();
+    assert!(!message.is_empty());
+    assert!(bench.film().pixels == before.pixels);
+    bench.write("scene.ron", &good);
+    bench.reloaded();
+    assert!(bench.film().pixels == before.pixels && bench.engine.problems().is_empty());
+}
