@@ -1,0 +1,141 @@
+//! The worked edits of shaders/README.md, as they stand there, performed on a running engine.
+
+use std::fs;
+use std::path::Path;
+
+use glam::UVec2;
+use lucerna::components::{Film, Integrator, Material, Render};
+
+use super::Bench;
+
+/// One change of a file that the guide asks for.
+struct Edit {
+    file: String,
+    /// What is to be found; None for a new file.
+    old: Option<String>,
+    new: String,
+}
+
+/// The edits under the heading of a number.
+fn edits(number: u32) -> Vec<Edit> {
+    let guide = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/README.md")).unwrap();
+    let start = guide.find(&format!("\n### {number}. ")).unwrap();
+    let section = guide[start + 1..].split("\n### ").next().unwrap();
+    let (mut file, mut edits) = (String::new(), Vec::new());
+    let mut lines = section.lines();
+    while let Some(line) = lines.next() {
+        if let Some(name) = line.split('`').nth(1).filter(|_| line.ends_with("`:")) {
+            file = format!("shaders/{name}");
+        } else if let Some(kind) = line.strip_prefix("```") {
+            let block: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
+            let side = |marks: [char; 2]| -> String {
+                let kept = block.iter().filter(|line| line.is_empty() || line.starts_with(marks));
+                kept.map(|line| line.get(1..).unwrap_or("").to_owned() + "\n").collect()
+            };
+            edits.push(match kind {
+                "diff" => Edit { file: file.clone(), old: Some(side([' ', '-'])), new: side([' ', '+']) },
+                "wgsl" => Edit { file: file.clone(), old: None, new: block.join("\n") + "\n" },
+                other => panic!("a block of `{other}`"),
+            });
+        }
+    }
+    assert!(!edits.is_empty());
+    edits
+}
+
+/// Performs the edits of a number, in a burst, as an editor's "save all" does.
+fn perform(bench: &mut Bench, number: u32) {
+    for Edit { file, old, new } in edits(number) {
+        match old {
+            None => bench.write(&file, &new),
+            Some(old) => {
+                let text = bench.read(&file);
+                assert_eq!(text.matches(&old).count(), 1, "{file}: not once in it:\n{old}");
+                bench.write(&file, &text.replace(&old, &new));
+            }
+        }
+    }
+    assert_eq!(bench.reloaded(), "film");
+}
+
+/// The scene of the other tests, larger, with lights asked directly, one of them ten times as bright.
+fn bench(integrator: Integrator) -> Bench {
+    let mut bench = Bench::new();
+    bench.engine.edit(|world| {
+        let mut films = world.query::<(&mut Film, &mut Render)>();
+        for (mut film, mut render) in films.iter_mut(world) {
+            film.size = UVec2::new(48, 36);
+            (render.integrator, render.spp) = (integrator, 128);
+        }
+    });
+    bench
+}
+
+/// Mean of the film, and its standard error from that of the pixels.
+fn mean(bench: &mut Bench) -> (f64, f64) {
+    let film = bench.film();
+    let report = bench.engine.report().unwrap();
+    assert_eq!(report.bad_samples, 0);
+    let pixel = |rgb: &[f32; 3]| rgb.iter().map(|c| f64::from(*c)).sum::<f64>() / 3.0;
+    let count = film.rgb.len() as f64;
+    let mean = film.rgb.iter().map(pixel).sum::<f64>() / count;
+    let halves = film.halves[0].iter().zip(&film.halves[1]);
+    // The halves are independent: the variance of a pixel's mean is a quarter of their squared difference.
+    let variance: f64 = halves.map(|(a, b)| 0.25 * (pixel(a) - pixel(b)).powi(2)).sum::<f64>() / (count * count);
+    (mean, variance.sqrt())
+}
+
+/// Whether two means agree within five standard errors, and those are small enough to mean something.
+#[track_caller]
+fn agree(a: (f64, f64), b: (f64, f64)) -> bool {
+    let error = a.1.hypot(b.1);
+    assert!(error > 0.0 && error < 0.02 * a.0, "{a:?} {b:?}: too noisy to tell");
+    (a.0 - b.0).abs() < 5.0 * error
+}
+
+#[test]
+fn another_sampler_has_the_same_mean() {
+    let mut bench = bench(Integrator::Path);
+    let before = mean(&mut bench);
+    perform(&mut bench, 1);
+    let after = mean(&mut bench);
+    assert!(agree(before, after), "{before:?} {after:?}");
+    assert!(before != after);
+}
+
+#[test]
+fn another_bsdf_is_another_surface() {
+    let mut bench = bench(Integrator::Path);
+    let before = mean(&mut bench);
+    perform(&mut bench, 2);
+    let after = mean(&mut bench);
+    assert!(!agree(before, after), "{before:?} {after:?}");
+    // And finding light by chance comes to the same as asking for it: value and density belong together.
+    bench.engine.edit(|world| {
+        let mut renders = world.query::<&mut Render>();
+        for mut render in renders.iter_mut(world) {
+            (render.integrator, render.spp) = (Integrator::Bsdf, 512);
+        }
+    });
+    let found = mean(&mut bench);
+    assert!(agree(after, found), "{after:?} {found:?}");
+}
+
+#[test]
+fn another_choice_of_light_has_the_same_mean() {
+    let mut bench = bench(Integrator::Path);
+    // A second lamp, so that there is a choice, and the two choices differ.
+    let dim = "newmtl dim\nKd 0 0 0\nKe 0.3 0.3 0.3\n";
+    bench.write("room.mtl", &(super::MTL.to_owned() + dim));
+    bench.write("room.obj", &(super::OBJ.to_owned() + "usemtl dim\nf 5 8 4 1\n"));
+    bench.reloaded();
+    let lamps = bench
+        .engine
+        .edit(|world| world.query::<&Material>().iter(world).filter(|material| material.emission.x > 0.0).count());
+    assert_eq!(lamps, 2);
+    let before = mean(&mut bench);
+    perform(&mut bench, 3);
+    let after = mean(&mut bench);
+    assert!(agree(before, after), "{before:?} {after:?}");
+    assert!(before != after);
+}
