@@ -28,7 +28,7 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
     let gpu = Gpu::open()?;
     let mut engine = Engine::open(gpu, library.clone(), &opened.description).map_err(Failure::engine)?;
     // What is wrong from the start ends it: there is nothing yet to go on with.
-    engine.step(STEP).map_err(Failure::engine)?;
+    let mut step = engine.step(STEP).map_err(Failure::engine)?;
     let size = opened.description.film.size;
     let started = json!({ "event": "watching", "scene": opened.path.display().to_string(), "size": [size.x, size.y] });
     let (wake, woken) = channel();
@@ -40,9 +40,15 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
     if !tell(&started) {
         return Ok(Exit::Done);
     }
-    let mut finished = false;
     while !interrupt.asked() {
-        let step = engine.step(STEP);
+        if step.finished && step.samples > 0 && !tell(&json!({ "event": "finished", "spp": step.spp })) {
+            return Ok(Exit::Done);
+        }
+        if step.finished && step.dispatches == 0 {
+            // Whether it was woken or the time is up, the next step finds out.
+            let _ = woken.recv_timeout(IDLE);
+        }
+        let stepped = engine.step(STEP);
         for event in engine.events() {
             if !arguments.quiet {
                 show_problems(&event);
@@ -51,15 +57,7 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
                 return Ok(Exit::Done);
             }
         }
-        let step = step.map_err(Failure::engine)?;
-        if step.finished && !finished && !tell(&json!({ "event": "finished", "spp": step.spp })) {
-            return Ok(Exit::Done);
-        }
-        finished = step.finished;
-        if finished && step.dispatches == 0 {
-            // Whether it was woken or the time is up, the next step finds out.
-            let _ = woken.recv_timeout(IDLE);
-        }
+        step = stepped.map_err(Failure::engine)?;
     }
     Ok(Exit::Done)
 }

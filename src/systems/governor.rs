@@ -2,8 +2,8 @@
 
 use bevy_ecs::prelude::*;
 
-/// Samples of the very first batch: a tenth of a second on a slow processor, and less than a millisecond on a GPU.
-const FIRST_SAMPLES: f64 = 32_768.0;
+/// Samples of the very first batch: some hundredths of a second on a slow processor. What follows grows quickly.
+const FIRST_SAMPLES: f64 = 4096.0;
 
 /// A batch is at most this many times the last: one measurement may be off.
 const GROWTH: f64 = 4.0;

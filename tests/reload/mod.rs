@@ -5,6 +5,7 @@ mod many;
 mod saves;
 mod scenes;
 mod table;
+mod watch;
 mod wrong;
 
 use std::collections::BTreeMap;
