@@ -1,16 +1,20 @@
-//! Device, buffers, pipelines and the player of recordings: the only engine code that talks to wgpu.
+//! Device, buffers, pipelines, the player of recordings, and a window's surface: the only code that talks to wgpu.
 
 mod buffers;
 mod device;
 mod error;
+mod picture;
 mod pipelines;
 mod player;
 mod runtime;
+mod surface;
 mod timing;
 
 pub use buffers::Buffers;
 pub use device::{AdapterSummary, Gpu, adapters};
 pub use error::GpuError;
+pub use picture::{Fit, Shown};
 pub use pipelines::checked_entry;
 pub use runtime::Runtime;
+pub use surface::{Drawn, Paint, Surface, Target};
 pub use timing::PassTiming;

@@ -7,10 +7,11 @@ use std::time::Duration;
 use bevy_ecs::prelude::*;
 
 use super::governor::Governor;
+use super::present;
 use super::report::{self, FilmImage, Report};
 use super::schedule;
-use super::state::{Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, PackedScene, Pending, Spent};
-use crate::gpu::{Gpu, GpuError, Runtime};
+use super::state::{Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, Live, PackedScene, Pending, Spent};
+use crate::gpu::{Drawn, Fit, Gpu, GpuError, Paint, Runtime, Surface};
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
 
@@ -72,6 +73,7 @@ impl Engine {
         world.init_resource::<Batch>();
         world.init_resource::<Frame>();
         world.init_resource::<Spent>();
+        world.init_resource::<Live>();
         world.init_resource::<Governor>();
         // A film that was never reset is of size zero.
         world.resource_mut::<Dirty>().film = true;
@@ -87,6 +89,17 @@ impl Engine {
     /// Times every pass from now on, where the device can.
     pub fn set_timing(&mut self, on: bool) {
         self.world.resource_mut::<Device>().0.set_timing(on);
+    }
+
+    /// Has the picture follow the film batch by batch from now on, or only once it is finished.
+    pub fn set_live(&mut self, on: bool) {
+        self.world.resource_mut::<Live>().0 = on;
+    }
+
+    /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.
+    pub fn draw(&self, surface: &mut Surface, fit: Fit, paint: Paint) -> Result<Drawn, EngineError> {
+        let shown = present::shown(self.world.resource(), self.world.resource());
+        Ok(surface.draw(&self.world.resource::<Device>().0, shown, fit, paint)?)
     }
 
     /// Runs the schedule once: takes up changes, and adds samples for about `budget`.

@@ -35,7 +35,7 @@ pub enum Phase {
     Trace,
     /// Records their addition to the film.
     Accumulate,
-    /// Records the picture of a finished film, where that or the way it is shown changed.
+    /// Records the picture of a finished film, or of any that is watched, where that or the way it is shown changed.
     Present,
     /// Plays what was recorded, and learns from the time it took.
     Submit,

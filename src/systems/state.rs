@@ -160,6 +160,10 @@ pub struct Frame {
     pub trace: Recording,
 }
 
+/// Somebody watches: the picture follows the film batch by batch.
+#[derive(Resource, Default)]
+pub struct Live(pub bool);
+
 /// Time this run of the schedule may take on the GPU.
 #[derive(Resource)]
 pub struct Budget(pub Duration);
