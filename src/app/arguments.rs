@@ -24,14 +24,17 @@ Exit codes:
 
 /// A GPU path tracer.
 #[derive(Debug, Parser)]
-#[command(name = "lucerna", version, after_help = EXIT_CODES, arg_required_else_help = true)]
+#[command(name = "lucerna", version, after_help = EXIT_CODES)]
 pub struct Arguments {
+    /// Without one, a window on the scene cornell-box, where there is a display
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
 }
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Open a window on a scene, and move in it
+    View(ViewArguments),
     /// Render a scene to PNG, EXR and a report
     Render(RenderArguments),
     /// Compare a picture with a reference
@@ -42,6 +45,35 @@ pub enum Command {
     Doctor,
     /// Measure how the error of scenes falls with samples and time, or time single stages of the engine
     Bench(Box<BenchArguments>),
+}
+
+/// The scene that opens where none is named.
+pub const DEFAULT_SCENE: &str = "cornell-box";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub struct ViewArguments {
+    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
+    #[arg(default_value = DEFAULT_SCENE)]
+    pub scene: String,
+    /// Samples a pixel, after which the film is finished
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub spp: Option<u32>,
+    /// Size of the window in logical pixels, each side 1 to 16384 [default: the film's]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<UVec2>,
+    /// A camera of the scene, by its name
+    #[arg(long, value_name = "NAME")]
+    pub camera: Option<String>,
+    /// Change a value of the scene file, such as -D materials.ball.ns=64
+    #[arg(short = 'D', value_name = "KEY=VALUE", value_parser = define)]
+    pub define: Vec<(String, String)>,
+}
+
+impl Default for ViewArguments {
+    fn default() -> Self {
+        Self { scene: DEFAULT_SCENE.to_owned(), spp: None, size: None, camera: None, define: Vec::new() }
+    }
 }
 
 #[derive(Debug, Args)]

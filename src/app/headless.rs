@@ -9,6 +9,7 @@ use super::interrupt::Interrupt;
 use super::progress::{Goal, Meter};
 use super::report::{Account, Seconds};
 use super::{Exit, Failure, output};
+use crate::components::Film;
 use crate::gpu::Gpu;
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
@@ -145,29 +146,13 @@ fn trace(
 /// Applies the flags to the scene, over what its file and the defines say.
 fn adjust(description: &mut SceneDescription, arguments: &RenderArguments) -> Result<(), Failure> {
     if let Some(name) = &arguments.camera {
-        if !description.cameras.contains_key(name) {
-            let names: Vec<&str> = description.cameras.keys().map(String::as_str).collect();
-            let help = format!("its cameras are: {}", names.join(", "));
-            return Err(Failure::usage(format!("--camera: the scene has no camera `{name}`"), help));
-        }
-        description.active = name.clone();
+        choose_camera(description, name)?;
     }
     let (film, render) = (&mut description.film, &mut description.render);
     film.size = arguments.size.unwrap_or(film.size);
     film.crop = arguments.crop.or(film.crop);
     film.exposure = arguments.exposure.unwrap_or(film.exposure);
-    if let Some(crop) = film.crop
-        && crop.max.cmpgt(film.size).any()
-    {
-        let [x0, x1, y0, y1] = [crop.min.x, crop.max.x, crop.min.y, crop.max.y];
-        let (message, help) = match arguments.crop {
-            Some(_) => ("--crop", "choose a part of the picture, or a larger --size"),
-            None => ("the scene's crop", "give a --crop that fits the --size"),
-        };
-        let message =
-            format!("{message} {x0},{x1},{y0},{y1} reaches beyond the picture of {}x{}", film.size.x, film.size.y);
-        return Err(Failure::usage(message, help));
-    }
+    check_crop(film, arguments.crop.is_some())?;
     // With a time alone, the scene's own number of samples is no limit.
     let unlimited = arguments.time.map_or(render.spp, |_| u32::MAX);
     render.spp = arguments.spp.unwrap_or(unlimited);
@@ -177,6 +162,30 @@ fn adjust(description: &mut SceneDescription, arguments: &RenderArguments) -> Re
     render.max_depth = arguments.max_depth.unwrap_or(render.max_depth);
     render.roulette = arguments.roulette.map_or(render.roulette, |switch| switch == Switch::On);
     Ok(())
+}
+
+/// Renders by the camera of a name.
+pub(super) fn choose_camera(description: &mut SceneDescription, name: &str) -> Result<(), Failure> {
+    if !description.cameras.contains_key(name) {
+        let names: Vec<&str> = description.cameras.keys().map(String::as_str).collect();
+        let help = format!("its cameras are: {}", names.join(", "));
+        return Err(Failure::usage(format!("--camera: the scene has no camera `{name}`"), help));
+    }
+    description.active = name.to_owned();
+    Ok(())
+}
+
+/// Refuses a crop that is not within its picture; `by_flag` says where it comes from.
+pub(super) fn check_crop(film: &Film, by_flag: bool) -> Result<(), Failure> {
+    let Some(crop) = film.crop.filter(|crop| crop.max.cmpgt(film.size).any()) else { return Ok(()) };
+    let [x0, x1, y0, y1] = [crop.min.x, crop.max.x, crop.min.y, crop.max.y];
+    let (message, help) = match by_flag {
+        true => ("--crop", "choose a part of the picture, or a larger --size"),
+        false => ("the scene's crop", "give a --crop that fits the --size"),
+    };
+    let message =
+        format!("{message} {x0},{x1},{y0},{y1} reaches beyond the picture of {}x{}", film.size.x, film.size.y);
+    Err(Failure::usage(message, help))
 }
 
 /// The files to write: those named, else `result/SCENE` in all three kinds.

@@ -208,28 +208,28 @@ fn crop(window: Crop) -> String {
     format!("{},{},{},{}", window.min.x, window.max.x, window.min.y, window.max.y)
 }
 
-fn integrator(integrator: Integrator) -> &'static str {
+pub(super) fn integrator(integrator: Integrator) -> &'static str {
     match integrator {
         Integrator::Path => "path",
         Integrator::Bsdf => "bsdf",
     }
 }
 
-fn sampler(sampler: Sampler) -> &'static str {
+pub(super) fn sampler(sampler: Sampler) -> &'static str {
     match sampler {
         Sampler::Sobol => "sobol",
         Sampler::Pcg => "pcg",
     }
 }
 
-fn energy(energy: Energy) -> &'static str {
+pub(super) fn energy(energy: Energy) -> &'static str {
     match energy {
         Energy::Preserve => "Preserve",
         Energy::AsWritten => "AsWritten",
     }
 }
 
-fn switch(on: bool) -> &'static str {
+pub(super) fn switch(on: bool) -> &'static str {
     if on { "on" } else { "off" }
 }
 

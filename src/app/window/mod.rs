@@ -1,0 +1,72 @@
+//! `lucerna view`: a window that traces progressively, and lets a person move.
+//!
+//! The same schedule as headless: each frame takes up what changed, runs one step of the engine for a few milliseconds, and
+//! draws the picture there is. A finished film of an unchanged scene does nothing at all: no step, no frame.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | `application` | the window library's events, and when to wake |
+//! | `session` | a window with an engine: one frame |
+//! | `intents` | what each key and gesture does |
+//! | `controls`, `keys` | events to intents; the table of keys |
+//! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
+//! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
+
+mod application;
+mod cameras;
+mod controls;
+pub mod flight;
+mod intents;
+pub mod keys;
+pub mod navigate;
+mod overlay;
+pub mod pace;
+mod screen;
+mod session;
+mod snapshot;
+
+use winit::event_loop::EventLoop;
+
+use super::arguments::ViewArguments;
+use super::failure::show;
+use super::{Exit, Failure, headless};
+use crate::scene;
+
+use application::Application;
+use session::Opening;
+
+/// There is nothing to open a window on.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("no display to open a window on: {0}")]
+#[diagnostic(help("use `lucerna render`, which needs none"))]
+struct NoDisplay(winit::error::EventLoopError);
+
+/// The loop of events ended by itself.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("the window's events ended: {0}")]
+struct Ended(winit::error::EventLoopError);
+
+/// Whether there is anything that a window could open on.
+pub fn has_display() -> bool {
+    let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    cfg!(not(all(unix, not(target_os = "macos"))))
+        || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].iter().any(|v| set(v))
+}
+
+/// Opens a window on a scene, and returns once it is closed.
+pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
+    let events = EventLoop::new().map_err(|error| Failure::of(NoDisplay(error)))?;
+    let path = scene::find(&arguments.scene)?;
+    let loaded = scene::load(&path, &arguments.define)?;
+    loaded.warnings.iter().for_each(|warning| show(warning));
+    let mut description = loaded.description;
+    if let Some(name) = &arguments.camera {
+        headless::choose_camera(&mut description, name)?;
+    }
+    description.film.size = arguments.size.unwrap_or(description.film.size);
+    description.render.spp = arguments.spp.unwrap_or(description.render.spp);
+    headless::check_crop(&description.film, false)?;
+    let mut application = Application::new(Opening::of(description));
+    events.run_app(&mut application).map_err(|error| Failure::of(Ended(error)))?;
+    application.outcome()
+}
