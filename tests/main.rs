@@ -34,3 +34,4 @@ mod sort;
 mod statistics;
 mod support;
 mod tree;
+mod window;
