@@ -21,7 +21,7 @@ fn present_film(
     let due = live.0 || progress.samples >= scene.target;
     if progress.cleared && !progress.shown && due {
         let shown = shown(&progress, &scene);
-        film::record_display(&mut frame.trace, shown.size.x * shown.rows, scene.exponent, scene.exposure);
+        film::record_display(&mut frame.picture, shown.size.x * shown.rows, scene.exponent, scene.exposure);
         progress.shown = true;
     }
 }
