@@ -1,6 +1,7 @@
 //! The window: its mathematics by themselves, and all of it on a display of its own.
 
 mod flight;
+mod inspect;
 mod keys;
 mod live;
 mod navigate;

@@ -9,6 +9,7 @@ mod build;
 mod engine;
 mod extract;
 mod governor;
+pub mod inspect;
 mod present;
 mod report;
 pub mod save;

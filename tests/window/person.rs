@@ -9,6 +9,7 @@ use x11rb::protocol::xproto::Window;
 use super::xvfb::{Screenshot, Xvfb, await_some};
 
 const F1: u32 = 0xffbe;
+const F2: u32 = 0xffbf;
 const F12: u32 = 0xffc9;
 const ESCAPE: u32 = 0xff1b;
 const LOWER_C: u32 = 0x63;
@@ -28,11 +29,11 @@ struct Person {
 
 impl Person {
     /// Opens the Cornell box in a small window.
-    fn new() -> Self {
+    fn new(more: &[&str]) -> Self {
         let display = Xvfb::start();
         let folder = tempfile::tempdir().unwrap();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
-        command.args(["view", "cornell-box", "--size", "192x144", "--spp", SPP]).current_dir(folder.path());
+        command.args(["view", "cornell-box", "--size", "192x144", "--spp", SPP]).args(more).current_dir(folder.path());
         command.env("DISPLAY", &display.name).env("WINIT_X11_SCALE_FACTOR", "1");
         command.env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
         let file = |name: &str| std::fs::File::create(folder.path().join(name)).unwrap();
@@ -101,7 +102,7 @@ fn camera_of(line: &str) -> &str {
 
 #[test]
 fn a_person_looks_moves_and_leaves() {
-    let mut person = Person::new();
+    let mut person = Person::new(&[]);
     person.finish();
     let headless = person.rendered("192x144", &[]);
     // Not up to noise: a film does not depend on how it was cut.
@@ -116,6 +117,17 @@ fn a_person_looks_moves_and_leaves() {
     person.display.key(F1);
     person.see("the picture without keys", |look| *look == headless);
 
+    person.display.key(F2);
+    person.see("the panel beside the picture", |look| look.difference(&headless) > 10.0);
+    // It looks at the film a last time a second after the one before.
+    std::thread::sleep(Duration::from_millis(1500));
+    let before = person.ticks();
+    std::thread::sleep(Duration::from_millis(1000));
+    let spent = person.ticks() - before;
+    assert!(spent <= 2, "the panel of a finished film took {spent} hundredths of a second");
+    person.display.key(F2);
+    person.see("the picture without the panel", |look| *look == headless);
+
     orbits_and_resizes(&person, &headless);
 
     person.display.key(ONE);
@@ -128,6 +140,29 @@ fn a_person_looks_moves_and_leaves() {
     let stderr = std::fs::read_to_string(person.folder.path().join("stderr")).unwrap();
     assert_eq!(status.code(), Some(0), "{stderr}");
     assert!(!stderr.contains("error"), "{stderr}");
+}
+
+/// A crop keeps its size and shape, with black beside it, whatever the window's.
+#[test]
+fn a_crop_is_letterboxed() {
+    let mut person = Person::new(&["-D", "film.crop=(48, 144, 24, 120)"]);
+    person.finish();
+    person.display.resize(person.window, 300, 200);
+    let headless = person.rendered("192x144", &["--crop", "48,144,24,120"]);
+    assert_eq!((headless.width, headless.height), (96, 96));
+    let look = person.see("a wider window", |look| look.width == 300 && look.pixels[100 * 300 + 150] != [0; 3]);
+    let pixel = |x: u32, y: u32| look.pixels[(y * 300 + x) as usize];
+    // 200 x 200 in the middle of it: the crop's pixels, each about twice as large.
+    for y in 0..200 {
+        assert_eq!((pixel(49, y), pixel(250, y)), ([0; 3], [0; 3]));
+        for x in 0..200 {
+            let [u, v] = [x, y].map(|at| (2 * at + 1) * 96 / 400);
+            assert_eq!(pixel(50 + x, y), headless.pixels[(v * 96 + u) as usize], "at {x}, {y}");
+        }
+    }
+    person.display.key(ESCAPE);
+    let status = await_some("the end", || person.process.try_wait().unwrap());
+    assert_eq!(status.code(), Some(0));
 }
 
 /// A finished film takes no processor time, and the window shows what it did.

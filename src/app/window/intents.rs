@@ -49,7 +49,10 @@ impl Session {
                 self.overlay.help = !self.overlay.help;
                 self.draw_again();
             }
-            Intent::Panel => self.draw_again(),
+            Intent::Panel => {
+                self.panel.toggle(&mut self.engine);
+                self.draw_again();
+            }
             Intent::Reload => self.look_again(),
             Intent::Fullscreen => {
                 let full = self.window.fullscreen().is_some();

@@ -6,21 +6,24 @@
 //! | file | what it holds |
 //! |---|---|
 //! | `application` | the window library's events, and when to wake |
-//! | `session` | a window with an engine: one frame |
+//! | `session`, `frame` | a window with an engine: what it keeps; one frame |
 //! | `intents` | what each key and gesture does |
 //! | `controls`, `keys` | events to intents; the table of keys |
 //! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
+//! | `panel` | numbers, curves, sliders |
 
 mod application;
 mod cameras;
 mod controls;
 pub mod flight;
+mod frame;
 mod intents;
 pub mod keys;
 pub mod navigate;
 mod overlay;
 pub mod pace;
+mod panel;
 mod screen;
 mod session;
 mod snapshot;

@@ -4,9 +4,6 @@ use egui::{Align2, Color32, Context, RichText};
 
 use super::keys::KEYS;
 
-/// Bright enough to be read over any picture.
-const TEXT: Color32 = Color32::from_rgb(210, 210, 210);
-
 /// What there is to show over the picture.
 #[derive(Clone, Debug, Default)]
 pub struct Overlay {
@@ -30,8 +27,7 @@ impl Overlay {
         if let Some(notice) = &self.notice {
             let area = egui::Area::new(egui::Id::unique("notice")).interactable(false).fade_in(false);
             area.anchor(Align2::CENTER_BOTTOM, [0.0, -10.0]).show(context, |ui| {
-                egui::Frame::popup(ui.style())
-                    .show(ui, |ui| ui.add(egui::Label::new(RichText::new(notice).color(TEXT)).extend()));
+                egui::Frame::popup(ui.style()).show(ui, |ui| ui.add(egui::Label::new(notice).extend()));
             });
         }
         if self.help {
@@ -71,7 +67,7 @@ fn show_keys(context: &Context) {
                 egui::Grid::new("keys").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
                     for (key, meaning) in KEYS {
                         ui.add(egui::Label::new(RichText::new(*key).strong()).extend());
-                        ui.add(egui::Label::new(RichText::new(*meaning).color(TEXT)).extend());
+                        ui.add(egui::Label::new(*meaning).extend());
                         ui.end_row();
                     }
                 });

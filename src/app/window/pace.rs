@@ -10,6 +10,9 @@ pub const FRAME: Duration = Duration::from_micros(16_667);
 /// Tracing in a frame of a picture that stands still: the rest of the frame is for drawing and input.
 pub const STEP: Duration = Duration::from_millis(12);
 
+/// Tracing in any frame, at most.
+const LONGEST_STEP: Duration = Duration::from_millis(100);
+
 /// What a whole sample may take while the picture moves.
 pub const MOVING_SAMPLE: Duration = Duration::from_millis(50);
 
@@ -71,9 +74,10 @@ impl Pace {
     }
 }
 
-/// Tracing in a frame of a picture that stands still, where drawing takes so long: mostly tracing, on any device.
-pub fn still_step(drawing: Duration) -> Duration {
-    STEP.max(2 * drawing).min(MOVING_SAMPLE)
+/// Tracing in a frame of a picture that stands still, where all else in it takes so long: most of the time is for tracing,
+/// as long as a hand does not feel the frame.
+pub fn still_step(else_takes: Duration) -> Duration {
+    STEP.max(2 * else_takes).min(LONGEST_STEP)
 }
 
 /// How often a side is halved, as a power of two, for a whole sample to take no longer than [`MOVING_SAMPLE`]. `rate` in

@@ -25,6 +25,10 @@ impl Screen {
         let context = egui::Context::default();
         // Dark whatever the desktop says: a bright frame changes how a picture is seen.
         context.set_theme(egui::Theme::Dark);
+        // Bright enough to be read over any picture.
+        context.all_styles_mut(|style| {
+            style.visuals.widgets.noninteractive.fg_stroke.color = egui::Color32::from_gray(205)
+        });
         let scale = Some(window.scale_factor() as f32);
         let side = Some(gpu.limits.max_texture_dimension_2d as usize);
         let state = egui_winit::State::new(context, egui::ViewportId::ROOT, window, scale, None, side);
