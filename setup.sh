@@ -2,7 +2,8 @@
 # Makes sure that Lucerna can build and draw here: a Rust toolchain, a C linker, a C++ compiler, and a graphics driver that
 # wgpu can use.
 #
-#   sh setup.sh
+#   sh setup.sh           # to build and draw
+#   sh setup.sh --tests   # to run the tests as well: on Linux, also an X server without a screen (Xvfb), for the window
 #
 # Where a driver is there already, and on macOS (Metal) and Windows (DirectX 12), nothing is installed. On Debian and
 # Ubuntu without one, the Vulkan loader and Mesa's drivers are, which draw on the CPU if need be; and g++ without a compiler. Running it again is quick
@@ -156,10 +157,39 @@ check_cxx() {
     return 1
 }
 
+# The window is tested on a display of its own.
+check_xvfb() {
+    case $(uname -s) in
+        Linux) ;;
+        *) return 0 ;;
+    esac
+    if have Xvfb; then return 0; fi
+    if have apt-get && install_with_apt xvfb && have Xvfb; then
+        say "X server for tests: Xvfb"
+        return 0
+    fi
+    complain "Xvfb is missing, on which the window is tested. Install it:"
+    complain "  Debian, Ubuntu: sudo apt-get install xvfb"
+    complain "  Fedora:         sudo dnf install xorg-x11-server-Xvfb"
+    complain "  Arch:           sudo pacman -S xorg-server-xvfb"
+    complain "  openSUSE:       sudo zypper install xorg-x11-server-Xvfb"
+    complain "  Alpine:         sudo apk add xvfb"
+    return 1
+}
+
+for argument in "$@"; do
+    if [ "$argument" != --tests ]; then
+        complain "unknown argument $argument; known: --tests"
+        exit 1
+    fi
+done
 failed=0
 check_driver || failed=1
 check_rust || failed=1
 check_linker || failed=1
 check_cxx || failed=1
+case ${1:-} in
+    --tests) check_xvfb || failed=1 ;;
+esac
 if [ "$failed" -eq 0 ]; then say "ready"; fi
 exit "$failed"

@@ -9,6 +9,10 @@ use tempfile::TempDir;
 /// Runs the binary in a folder.
 fn lucerna(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
+    // Where there is a display, `lucerna` alone would open a window.
+    for display in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
+        command.env_remove(display);
+    }
     command.args(arguments).current_dir(folder).stdin(Stdio::null()).output().unwrap()
 }
 
@@ -71,9 +75,16 @@ fn help_says_what_there_is_and_exit_codes() {
         assert_eq!(lucerna(Path::new("."), arguments).status.code(), Some(code), "{arguments:?}");
     }
     let help = String::from_utf8(lucerna(Path::new("."), &["--help"]).stdout).unwrap();
-    for word in ["render", "check", "doctor", "bench", "Exit codes", "130"] {
+    for word in ["view", "render", "check", "doctor", "bench", "Exit codes", "130"] {
         assert!(help.contains(word), "--help lacks {word}");
     }
+}
+
+#[test]
+#[cfg(all(unix, not(target_os = "macos")))]
+fn a_window_without_a_display_is_refused() {
+    let text = refused(1, Path::new("."), &["view"]);
+    assert!(text.contains("no display") && text.contains("lucerna render"), "{text}");
 }
 
 #[test]

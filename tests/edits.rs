@@ -1,6 +1,5 @@
 //! The law of edits: whatever was done to a scene, its film is, bit for bit, that of the resulting scene opened fresh.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -9,8 +8,7 @@ use bevy_ecs::prelude::*;
 use glam::{DAffine3, DQuat, DVec3, UVec2, Vec3};
 use lucerna::Engine;
 use lucerna::components::{
-    Active, Camera, Crop, Energy, Environment, Film, Geometry, Material, MeshData, Name, Render, Transform,
-    UsesMaterial,
+    Camera, Crop, Energy, Environment, Film, Geometry, Material, MeshData, Name, Render, Transform, UsesMaterial,
 };
 use lucerna::layout::film::FilmPixel;
 use lucerna::scene::{self, MeshEntry, SceneDescription};
@@ -40,30 +38,7 @@ impl Dice {
 
 /// A description of what the world holds now: what a fresh engine is opened from.
 fn describe(world: &mut World) -> SceneDescription {
-    let key = |name: &Name| name.as_str().to_owned();
-    let materials: Vec<(Entity, String, Material)> =
-        world.query::<(Entity, &Name, &Material)>().iter(world).map(|(e, n, m)| (e, key(n), m.clone())).collect();
-    let names: BTreeMap<Entity, String> = materials.iter().map(|(e, n, _)| (*e, n.clone())).collect();
-    let mut meshes = world.query::<(&Name, &Geometry, &Transform, &UsesMaterial)>();
-    let meshes = meshes.iter(world).map(|(name, geometry, transform, uses)| {
-        let entry = MeshEntry { geometry: geometry.0.clone(), transform: *transform, material: names[&uses.0].clone() };
-        (key(name), entry)
-    });
-    let meshes = meshes.collect();
-    let cameras = world.query::<(&Name, &Camera)>().iter(world).map(|(n, c)| (key(n), *c)).collect();
-    let active = world.query_filtered::<&Name, With<Active>>().iter(world).map(key).next().unwrap();
-    let (film, render) = world.query::<(&Film, &Render)>().iter(world).map(|(f, r)| (*f, *r)).next().unwrap();
-    let environment = world.query::<&Environment>().iter(world).next().cloned();
-    SceneDescription {
-        name: "edited".to_owned(),
-        meshes,
-        materials: materials.into_iter().map(|(_, n, m)| (n, m)).collect(),
-        cameras,
-        active,
-        film,
-        render,
-        environment,
-    }
+    scene::describe(world, "edited")
 }
 
 fn all<T: Component>(world: &mut World) -> Vec<Entity> {

@@ -35,3 +35,4 @@ mod sort;
 mod statistics;
 mod support;
 mod tree;
+mod window;

@@ -7,7 +7,7 @@ use glam::UVec2;
 
 use super::bench::light::{self, LightArguments};
 use super::compare::CompareArguments;
-use super::scene::SceneArguments;
+use super::scene::SceneFlags;
 use super::{Exit, Failure, bench};
 use crate::components::{Crop, Film, Integrator, Sampler};
 use crate::gpu::Gpu;
@@ -25,14 +25,17 @@ Exit codes:
 
 /// A GPU path tracer.
 #[derive(Debug, Parser)]
-#[command(name = "lucerna", version, after_help = EXIT_CODES, arg_required_else_help = true)]
+#[command(name = "lucerna", version, after_help = EXIT_CODES)]
 pub struct Arguments {
+    /// Without one, a window on the scene cornell-box, where there is a display
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
 }
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Open a window on a scene, and move in it
+    View(ViewArguments),
     /// Render a scene to PNG, EXR and a report
     Render(RenderArguments),
     /// Render while shaders and scene files are edited, and tell what came of every save
@@ -47,11 +50,32 @@ pub enum Command {
     Bench(Box<BenchArguments>),
 }
 
+/// The scene that opens where none is named.
+pub const DEFAULT_SCENE: &str = "cornell-box";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+pub struct ViewArguments {
+    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
+    #[arg(default_value = DEFAULT_SCENE)]
+    pub scene: String,
+    #[command(flatten)]
+    pub flags: SceneFlags,
+}
+
+impl Default for ViewArguments {
+    fn default() -> Self {
+        Self { scene: DEFAULT_SCENE.to_owned(), flags: SceneFlags::default() }
+    }
+}
+
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
 pub struct RenderArguments {
+    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
+    pub scene: String,
     #[command(flatten)]
-    pub of: SceneArguments,
+    pub flags: SceneFlags,
     /// Render for so many seconds instead (with --spp: whichever comes first)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
@@ -72,8 +96,10 @@ pub struct RenderArguments {
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
 pub struct WatchArguments {
+    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
+    pub scene: String,
     #[command(flatten)]
-    pub of: SceneArguments,
+    pub flags: SceneFlags,
     /// No messages on stderr beside the events
     #[arg(long, short)]
     pub quiet: bool,

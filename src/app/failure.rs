@@ -93,7 +93,10 @@ impl Failure {
 impl From<GpuError> for Failure {
     fn from(error: GpuError) -> Self {
         let exit = match error {
-            GpuError::NoAdapter | GpuError::NoSuchAdapter { .. } => Exit::NoAdapter,
+            GpuError::NoAdapter
+            | GpuError::NoSuchAdapter { .. }
+            | GpuError::NoPresenter
+            | GpuError::CannotPresent { .. } => Exit::NoAdapter,
             _ => Exit::Failed,
         };
         Self { exit, report: error.into() }

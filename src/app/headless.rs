@@ -28,12 +28,12 @@ enum Ended {
 pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen();
     let begin = Instant::now();
-    let Opened { path, mut description, .. } = arguments.of.open(arguments.quiet)?;
-    if arguments.time.is_some() && arguments.of.spp.is_none() {
+    let Opened { path, mut description, .. } = arguments.flags.open(&arguments.scene, arguments.quiet)?;
+    if arguments.time.is_some() && arguments.flags.spp.is_none() {
         // The scene's own number of samples is no limit.
         description.render.spp = u32::MAX;
     }
-    let library = arguments.of.library()?;
+    let library = arguments.flags.library()?;
     let outputs = outputs(arguments, &path)?;
     for output in &outputs {
         output.prepare()?;
@@ -111,7 +111,7 @@ fn trace(
 ) -> Result<Ended, Failure> {
     let size = description.film.window().size();
     let pixels = u64::from(size.x) * u64::from(size.y);
-    let by_samples = arguments.time.is_none() || arguments.of.spp.is_some();
+    let by_samples = arguments.time.is_none() || arguments.flags.spp.is_some();
     let goal = Goal {
         samples: by_samples.then(|| pixels.saturating_mul(u64::from(description.render.spp))),
         seconds: arguments.time,

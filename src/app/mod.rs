@@ -1,4 +1,4 @@
-//! The command line, and the headless driver of the schedule.
+//! The command line, and the two drivers of the schedule: headless, and a window.
 //!
 //! Every error of the layers below ends here, is shown once, and becomes an exit code.
 
@@ -15,15 +15,16 @@ mod progress;
 mod report;
 mod scene;
 mod watch;
+pub mod window;
 
 use std::process::ExitCode;
 use std::time::Instant;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 
 pub use failure::{Exit, Failure};
 
-use arguments::{Arguments, Command};
+use arguments::{Arguments, Command, ViewArguments};
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
@@ -36,7 +37,16 @@ pub fn main() -> ExitCode {
             return ExitCode::from(if error.use_stderr() { Exit::Usage } else { Exit::Done });
         }
     };
-    let result = match arguments.command {
+    let command = match arguments.command {
+        Some(command) => command,
+        None if window::has_display() => Command::View(ViewArguments::default()),
+        None => {
+            let _ = std::io::Write::write_all(&mut std::io::stderr(), help().as_bytes());
+            return ExitCode::from(Exit::Usage);
+        }
+    };
+    let result = match command {
+        Command::View(view) => window::run(&view),
         Command::Render(render) => headless::render(&render, started),
         Command::Watch(watch) => watch::run(&watch),
         Command::Compare(comparison) => compare::run(&comparison),
@@ -51,4 +61,9 @@ pub fn main() -> ExitCode {
             ExitCode::from(failure.exit)
         }
     }
+}
+
+/// What `--help` prints.
+fn help() -> String {
+    Arguments::command().render_help().to_string()
 }

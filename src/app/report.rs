@@ -41,7 +41,7 @@ impl Account<'_> {
     pub fn metadata(&self) -> Vec<(&'static str, String)> {
         let scene = self.description;
         let defines: Vec<String> =
-            self.arguments.of.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
+            self.arguments.flags.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
         vec![
             ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
             ("scene", self.path.display().to_string()),
@@ -80,7 +80,7 @@ impl Account<'_> {
         option("--max-depth", scene.render.max_depth.to_string());
         option("--roulette", switch(scene.render.roulette).to_owned());
         option("--exposure", scene.film.exposure.to_string());
-        for (key, value) in &self.arguments.of.define {
+        for (key, value) in &self.arguments.flags.define {
             option("-D", format!("{key}={value}"));
         }
         words.join(" ")
@@ -209,28 +209,28 @@ fn crop(window: Crop) -> String {
     format!("{},{},{},{}", window.min.x, window.max.x, window.min.y, window.max.y)
 }
 
-fn integrator(integrator: Integrator) -> &'static str {
+pub(super) fn integrator(integrator: Integrator) -> &'static str {
     match integrator {
         Integrator::Path => "path",
         Integrator::Bsdf => "bsdf",
     }
 }
 
-fn sampler(sampler: Sampler) -> &'static str {
+pub(super) fn sampler(sampler: Sampler) -> &'static str {
     match sampler {
         Sampler::Sobol => "sobol",
         Sampler::Pcg => "pcg",
     }
 }
 
-fn energy(energy: Energy) -> &'static str {
+pub(super) fn energy(energy: Energy) -> &'static str {
     match energy {
         Energy::Preserve => "Preserve",
         Energy::AsWritten => "AsWritten",
     }
 }
 
-fn switch(on: bool) -> &'static str {
+pub(super) fn switch(on: bool) -> &'static str {
     if on { "on" } else { "off" }
 }
 

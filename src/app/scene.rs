@@ -13,11 +13,9 @@ use crate::scene::{self, SceneDescription};
 use crate::shader::{Library, ShaderError};
 use crate::systems::reload::{SceneFile, Sources};
 
-/// What every command that draws a scene takes.
-#[derive(Args, Clone, Debug)]
-pub struct SceneArguments {
-    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
-    pub scene: String,
+/// What every command that draws a scene takes beside its name.
+#[derive(Args, Clone, Debug, Default)]
+pub struct SceneFlags {
     /// Samples a pixel
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub spp: Option<u32>,
@@ -57,6 +55,7 @@ pub struct SceneArguments {
 }
 
 /// A scene, read.
+#[derive(Clone, Debug)]
 pub struct Opened {
     pub path: PathBuf,
     /// With what the command line says over it.
@@ -65,10 +64,10 @@ pub struct Opened {
     pub files: Vec<PathBuf>,
 }
 
-impl SceneArguments {
-    /// Finds the scene, reads it, shows its warnings unless `quiet`, and applies the flags.
-    pub fn open(&self, quiet: bool) -> Result<Opened, Failure> {
-        let path = scene::find(&self.scene)?;
+impl SceneFlags {
+    /// Finds the scene of a name or path, reads it, shows its warnings unless `quiet`, and applies the flags.
+    pub fn open(&self, name: &str, quiet: bool) -> Result<Opened, Failure> {
+        let path = scene::find(name)?;
         let loaded = scene::load(&path, &self.define)?;
         if !quiet {
             loaded.warnings.iter().for_each(|warning| show(warning));

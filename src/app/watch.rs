@@ -23,8 +23,8 @@ const IDLE: Duration = Duration::from_millis(200);
 /// Renders until a signal comes, or nobody reads the events any more.
 pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen();
-    let opened = arguments.of.open(arguments.quiet)?;
-    let library = arguments.of.library()?;
+    let opened = arguments.flags.open(&arguments.scene, arguments.quiet)?;
+    let library = arguments.flags.library()?;
     let gpu = Gpu::open()?;
     let mut engine = Engine::open(gpu, library.clone(), &opened.description).map_err(Failure::engine)?;
     // What is wrong from the start ends it: there is nothing yet to go on with.
@@ -33,7 +33,7 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
     let started = json!({ "event": "watching", "scene": opened.path.display().to_string(), "size": [size.x, size.y] });
     let (wake, woken) = channel();
     engine
-        .watch(arguments.of.sources(opened, library), move || {
+        .watch(arguments.flags.sources(opened, library), move || {
             let _ = wake.send(());
         })
         .map_err(Failure::of)?;

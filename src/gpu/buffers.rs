@@ -104,7 +104,12 @@ impl Buffers {
 
     /// Copies the first `bytes` of `name` back, waiting for all that was submitted before.
     pub fn read(&self, gpu: &Gpu, name: &'static str, bytes: u64) -> Result<Vec<u8>, GpuError> {
-        let Some(slot) = self.named.get(name).filter(|slot| slot.size >= bytes) else {
+        self.read_at(gpu, name, 0, bytes)
+    }
+
+    /// Copies `bytes` of `name` back from `offset` on, a multiple of 4, waiting for all that was submitted before.
+    pub fn read_at(&self, gpu: &Gpu, name: &'static str, offset: u64, bytes: u64) -> Result<Vec<u8>, GpuError> {
+        let Some(slot) = self.named.get(name).filter(|slot| slot.size >= offset.saturating_add(bytes)) else {
             return Err(GpuError::NoBuffer { pass: "readback", buffer: name });
         };
         if bytes == 0 {
@@ -120,7 +125,7 @@ impl Buffers {
             })
         })?;
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        encoder.copy_buffer_to_buffer(&slot.buffer, 0, &staging, 0, size);
+        encoder.copy_buffer_to_buffer(&slot.buffer, offset, &staging, 0, size);
         gpu.queue.submit([encoder.finish()]);
         let (sender, receiver) = std::sync::mpsc::channel();
         staging.map_async(wgpu::MapMode::Read, .., move |result| {

@@ -43,7 +43,7 @@ pub struct AdapterSummary {
     pub chosen: bool,
 }
 
-fn instance() -> wgpu::Instance {
+pub(super) fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
     descriptor.backends &= wgpu::Backends::PRIMARY;
     // Indirect counts come from our own passes, and are small by construction: wgpu's check would cost a dispatch each.
@@ -52,8 +52,8 @@ fn instance() -> wgpu::Instance {
 }
 
 /// All adapters, discrete GPUs first, in a stable order.
-fn ordered_adapters() -> Vec<wgpu::Adapter> {
-    let mut adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::PRIMARY));
+fn ordered_adapters(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
+    let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
     adapters.retain(|a| a.get_downlevel_capabilities().flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS));
     adapters.sort_by_key(|adapter| {
         let info = adapter.get_info();
@@ -86,7 +86,7 @@ fn chosen_index(count: usize) -> Result<usize, GpuError> {
 
 /// Lists the adapters, in the order of their numbers.
 pub fn adapters() -> Vec<AdapterSummary> {
-    let adapters = ordered_adapters();
+    let adapters = ordered_adapters(&instance());
     let chosen = chosen_index(adapters.len()).ok();
     let summary = |(i, adapter): (usize, &wgpu::Adapter)| {
         let (info, limits) = (adapter.get_info(), adapter.limits());
@@ -109,14 +109,32 @@ pub fn adapters() -> Vec<AdapterSummary> {
 impl Gpu {
     /// Opens the best adapter, or the one `LUCERNA_ADAPTER` names, with its own limits.
     pub fn open() -> Result<Arc<Gpu>, GpuError> {
-        let mut adapters = ordered_adapters();
+        let mut adapters = ordered_adapters(&instance());
         let adapter = adapters.swap_remove(chosen_index(adapters.len())?);
         Self::open_adapter(&adapter, wanted_features())
     }
 
+    /// Opens the best adapter that can present to a surface, or the one `LUCERNA_ADAPTER` names, with its own limits.
+    pub(super) fn open_for(
+        instance: &wgpu::Instance,
+        surface: &wgpu::Surface,
+    ) -> Result<(Arc<Gpu>, wgpu::Adapter), GpuError> {
+        let mut adapters = ordered_adapters(instance);
+        let mut index = chosen_index(adapters.len())?;
+        if !adapters[index].is_surface_supported(surface) {
+            if std::env::var_os(ADAPTER_VARIABLE).is_some() {
+                return Err(GpuError::CannotPresent { adapter: adapters[index].get_info().name });
+            }
+            let presenter = adapters.iter().position(|adapter| adapter.is_surface_supported(surface));
+            index = presenter.ok_or(GpuError::NoPresenter)?;
+        }
+        let adapter = adapters.swap_remove(index);
+        Ok((Self::open_adapter(&adapter, wanted_features())?, adapter))
+    }
+
     /// Opens the same adapter without any optional feature: what the fallbacks are tested on.
     pub fn open_plain() -> Result<Arc<Gpu>, GpuError> {
-        let mut adapters = ordered_adapters();
+        let mut adapters = ordered_adapters(&instance());
         let adapter = adapters.swap_remove(chosen_index(adapters.len())?);
         Self::open_adapter(&adapter, wgpu::Features::empty())
     }

@@ -17,6 +17,18 @@ pub enum GpuError {
     #[diagnostic(help("`lucerna doctor` lists the adapters by number"))]
     NoSuchAdapter { variable: &'static str, index: String, count: usize },
 
+    #[error("no adapter can show pictures on this display")]
+    #[diagnostic(help("`lucerna render` draws without a display; `lucerna doctor` lists the adapters"))]
+    NoPresenter,
+
+    #[error("{adapter} cannot show pictures on this display")]
+    #[diagnostic(help("choose another by LUCERNA_ADAPTER (`lucerna doctor` lists them), or use `lucerna render`"))]
+    CannotPresent { adapter: String },
+
+    #[error("the window cannot be drawn on: {reason}")]
+    #[diagnostic(help("`lucerna render` draws without a display"))]
+    NoSurface { reason: String },
+
     #[error("{adapter} refused a device: {reason}")]
     Device { adapter: String, reason: String },
 

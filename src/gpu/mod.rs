@@ -1,18 +1,22 @@
-//! Device, buffers, pipelines and the player of recordings: the only engine code that talks to wgpu.
+//! Device, buffers, pipelines, the player of recordings, and a window's surface: the only code that talks to wgpu.
 
 mod buffers;
 mod device;
 mod entry;
 mod error;
+mod picture;
 mod pipelines;
 mod player;
 mod runtime;
+mod surface;
 mod timing;
 
 pub use buffers::Buffers;
 pub use device::{AdapterSummary, Gpu, adapters};
 pub use entry::checked_entry;
 pub use error::GpuError;
+pub use picture::{Fit, Shown};
 pub use pipelines::{Code, Compiler};
 pub use runtime::Runtime;
+pub use surface::{Drawn, Paint, Surface, Target};
 pub use timing::PassTiming;

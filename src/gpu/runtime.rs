@@ -129,6 +129,18 @@ impl Runtime {
         Ok(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned).collect())
     }
 
+    /// One item of a buffer, after all that was submitted.
+    pub fn read_one<T: bytemuck::AnyBitPattern>(&self, name: &'static str, index: u64) -> Result<T, GpuError> {
+        let size = size_of::<T>() as u64;
+        let bytes = self.buffers.read_at(&self.gpu, name, index * size, size)?;
+        Ok(bytemuck::pod_read_unaligned(&bytes))
+    }
+
+    /// A buffer by its name.
+    pub(super) fn buffer(&self, name: &str) -> Option<&wgpu::Buffer> {
+        self.buffers.get(name).map(|(buffer, ..)| buffer)
+    }
+
     /// As many whole items as a buffer holds, after all that was submitted.
     pub fn read<T: bytemuck::AnyBitPattern>(&self, name: &'static str) -> Result<Vec<T>, GpuError> {
         self.read_some(name, self.buffers.size(name) as usize / size_of::<T>())

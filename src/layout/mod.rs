@@ -14,6 +14,7 @@ pub mod sky;
 pub mod sort;
 pub mod trace;
 pub mod tree;
+pub mod window;
 
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec2, IVec3, IVec4, UVec2, UVec3, UVec4, Vec2, Vec3, Vec4};
@@ -46,6 +47,7 @@ pub static ALL: &[&StructLayout] = &[
     &sort::SortParams::LAYOUT,
     &sort::SortDigit::LAYOUT,
     &sort::SortPlan::LAYOUT,
+    &window::WindowParams::LAYOUT,
 ];
 
 /// Every constant that WGSL can import from `package::gen`, module by module.

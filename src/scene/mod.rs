@@ -1,12 +1,13 @@
 //! Asset files to entities, with located diagnostics. Does not know the GPU.
 //!
 //! [`load`] reads a scene file (RON) or a bare OBJ file with all it names into a [`SceneDescription`]; [`apply`] makes a
-//! world hold it, touching only what differs; [`check`] reads any asset and keeps only the messages.
+//! world hold it, touching only what differs; [`describe`] is the way back; [`check`] reads any asset and keeps only the messages.
 //!
 //! Whatever a file can't be taken at its word for is an error or a warning at its line and column, never a silent default.
 
 mod apply;
 mod check;
+mod describe;
 mod diagnostic;
 mod file;
 mod find;
@@ -23,6 +24,7 @@ mod triangulate;
 
 pub use apply::{apply, apply_changes};
 pub use check::{Checked, check};
+pub use describe::describe;
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use find::{find, names};
 pub use load::{Loaded, MeshEntry, SceneDescription, attempt, load};

@@ -7,11 +7,12 @@ use std::time::Duration;
 use bevy_ecs::prelude::*;
 
 use super::governor::Governor;
+use super::present;
 use super::reload::{self, Problem, Reload, ReloadEvent, Sources, WatchError};
 use super::report::{self, FilmImage, Report};
 use super::schedule;
-use super::state::{Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, PackedScene, Pending, Spent};
-use crate::gpu::{Gpu, GpuError, Runtime};
+use super::state::{Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, Live, PackedScene, Pending, Spent};
+use crate::gpu::{Drawn, Fit, Gpu, GpuError, Paint, Runtime, Surface};
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
 
@@ -80,6 +81,7 @@ impl Engine {
         world.init_resource::<Batch>();
         world.init_resource::<Frame>();
         world.init_resource::<Spent>();
+        world.init_resource::<Live>();
         world.init_resource::<Governor>();
         // A film that was never reset is of size zero.
         world.resource_mut::<Dirty>().film = true;
@@ -95,6 +97,17 @@ impl Engine {
     /// Times every pass from now on, where the device can.
     pub fn set_timing(&mut self, on: bool) {
         self.world.resource_mut::<Device>().0.set_timing(on);
+    }
+
+    /// Has the picture follow the film batch by batch from now on, or only once it is finished.
+    pub fn set_live(&mut self, on: bool) {
+        self.world.resource_mut::<Live>().0 = on;
+    }
+
+    /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.
+    pub fn draw(&self, surface: &mut Surface, fit: Fit, paint: Paint) -> Result<Drawn, EngineError> {
+        let shown = present::shown(self.world.resource(), self.world.resource());
+        Ok(surface.draw(&self.world.resource::<Device>().0, shown, fit, paint)?)
     }
 
     /// Runs the schedule once: takes up changes, and adds samples for about `budget`.
@@ -136,6 +149,11 @@ impl Engine {
     pub fn problems(&self) -> Vec<Problem> {
         let standing = self.world.get_resource::<Reload>().map(|reload| &reload.problems);
         standing.into_iter().flat_map(|all| all.code.iter().chain(&all.scene)).cloned().collect()
+    }
+
+    /// The scene as its files were last taken up.
+    pub fn saved_scene(&self) -> Option<&SceneDescription> {
+        self.world.get_resource::<Reload>()?.description.as_ref()
     }
 
     /// Has everything that is watched read again, changed or not.

@@ -9,6 +9,7 @@ mod build;
 mod engine;
 mod extract;
 mod governor;
+pub mod inspect;
 mod present;
 pub mod reload;
 mod report;
@@ -38,7 +39,7 @@ pub enum Phase {
     Trace,
     /// Records their addition to the film.
     Accumulate,
-    /// Records the picture of a finished film, where that or the way it is shown changed.
+    /// Records the picture of a finished film, or of any that is watched, where that or the way it is shown changed.
     Present,
     /// Plays what was recorded, and learns from the time it took.
     Submit,

@@ -158,7 +158,13 @@ pub struct Frame {
     /// Morton codes to tree: played by itself, so that its time is known.
     pub build: Recording,
     pub trace: Recording,
+    /// The picture of the film: played by itself, so that its time is not taken for that of samples.
+    pub picture: Recording,
 }
+
+/// Somebody watches: the picture follows the film batch by batch.
+#[derive(Resource, Default)]
+pub struct Live(pub bool);
 
 /// Time this run of the schedule may take on the GPU.
 #[derive(Resource)]

@@ -22,7 +22,7 @@ fn submit_frame(
     scene: Res<PackedScene>,
 ) -> Result<(), EngineError> {
     let frame = std::mem::take(&mut *frame);
-    device.0.prepare(&[&frame.build, &frame.trace])?;
+    device.0.prepare(&[&frame.build, &frame.trace, &frame.picture])?;
     if dirty.tree {
         let start = Instant::now();
         device.0.play(&frame.build)?;
@@ -32,19 +32,21 @@ fn submit_frame(
         governor.forget();
     }
     *dirty = Dirty::default();
-    if frame.trace.calls().next().is_none() {
-        return Ok(());
-    }
-    let start = Instant::now();
-    device.0.play(&frame.trace)?;
-    device.0.wait()?;
-    device.0.check_loops()?;
-    let seconds = start.elapsed().as_secs_f64();
-    spent.trace += seconds;
     if batch.layers > 0 {
+        let start = Instant::now();
+        device.0.play(&frame.trace)?;
+        device.0.wait()?;
+        device.0.check_loops()?;
+        let seconds = start.elapsed().as_secs_f64();
         let samples = batch.samples(scene.shot.window_width);
+        spent.trace += seconds;
         spent.samples += samples;
         governor.learn(samples, seconds);
+    }
+    if frame.picture.calls().next().is_some() {
+        device.0.play(&frame.picture)?;
+        device.0.wait()?;
+        device.0.check_loops()?;
     }
     Ok(())
 }

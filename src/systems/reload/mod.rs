@@ -50,7 +50,7 @@ pub struct Reload {
     outcomes: Mutex<Receiver<Outcome>>,
     worker: Option<JoinHandle<()>>,
     /// The scene as its files were last taken up.
-    description: Option<SceneDescription>,
+    pub description: Option<SceneDescription>,
     /// What is wrong with shaders and scene as they are on the disk; the engine runs older ones.
     pub problems: Standing,
     /// Not yet asked for.

@@ -1,0 +1,138 @@
+//! The window library's events: to the session, and when to wake next.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use winit::application::ApplicationHandler;
+use winit::dpi::{LogicalSize, PhysicalSize};
+use winit::event::WindowEvent;
+use winit::event_loop::{ActiveEventLoop, ControlFlow};
+use winit::window::{Window, WindowId};
+
+use super::session::{Opening, Session};
+use crate::app::{Exit, Failure, output};
+use crate::gpu::GpuError;
+use crate::systems::EngineError;
+
+/// A device that is lost twice within this is not opened a third time.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// No window can be made.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("no window could be opened: {0}")]
+#[diagnostic(help("use `lucerna render`, which needs none"))]
+struct NoWindow(winit::error::OsError);
+
+/// The one window, from its opening to its end.
+pub struct Application {
+    /// What to open, until it is.
+    opening: Option<Opening>,
+    session: Option<Session>,
+    lost: Option<Instant>,
+    failure: Option<Failure>,
+}
+
+impl Application {
+    /// Nothing is opened yet.
+    pub fn new(opening: Opening) -> Self {
+        Self { opening: Some(opening), session: None, lost: None, failure: None }
+    }
+
+    /// How it ended.
+    pub fn outcome(self) -> Result<Exit, Failure> {
+        self.failure.map_or(Ok(Exit::Done), Err)
+    }
+
+    fn fail(&mut self, events: &ActiveEventLoop, failure: Failure) {
+        self.session = None;
+        self.failure.get_or_insert(failure);
+        events.exit();
+    }
+
+    /// Runs something of the session. A lost device is opened again, once.
+    fn with_session(&mut self, events: &ActiveEventLoop, act: impl FnOnce(&mut Session) -> Result<(), EngineError>) {
+        let Some(session) = &mut self.session else { return };
+        match act(session) {
+            Ok(()) => {}
+            Err(EngineError::Gpu(GpuError::Lost { reason })) if self.lost.is_none_or(|at| at.elapsed() > PATIENCE) => {
+                output::note(&format!("the device was lost: {reason}; opening it again"));
+                self.lost = Some(Instant::now());
+                self.reopen(events);
+            }
+            Err(error) => self.fail(events, Failure::engine(error)),
+        }
+    }
+
+    /// A new device and a new engine in the same window. The scene is kept as it was edited; samples are not.
+    fn reopen(&mut self, events: &ActiveEventLoop) {
+        let Some((window, opening)) = self.session.take().map(Session::dismantle) else { return };
+        match Session::open(window, opening) {
+            Ok(session) => self.session = Some(session),
+            Err(error) => self.fail(events, Failure::engine(error)),
+        }
+    }
+}
+
+impl ApplicationHandler for Application {
+    fn resumed(&mut self, events: &ActiveEventLoop) {
+        let Some(opening) = self.opening.take() else { return };
+        let window = match events.create_window(attributes(events, &opening)) {
+            Ok(window) => Arc::new(window),
+            Err(error) => return self.fail(events, Failure::of(NoWindow(error))),
+        };
+        match Session::open(window, opening) {
+            Ok(session) => self.session = Some(session),
+            Err(error) => self.fail(events, Failure::engine(error)),
+        }
+    }
+
+    /// A wake-up from elsewhere: something outside may have changed, and a step of the engine finds out.
+    fn user_event(&mut self, _: &ActiveEventLoop, (): ()) {
+        if let Some(session) = &mut self.session {
+            session.look_again();
+        }
+    }
+
+    fn window_event(&mut self, events: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        match event {
+            WindowEvent::CloseRequested => events.exit(),
+            WindowEvent::RedrawRequested => self.with_session(events, Session::frame),
+            event => self.with_session(events, |session| session.event(&event)),
+        }
+        if self.session.as_ref().is_some_and(Session::has_quit) {
+            events.exit();
+        }
+    }
+
+    fn about_to_wait(&mut self, events: &ActiveEventLoop) {
+        let Some(session) = &mut self.session else { return };
+        let now = Instant::now();
+        events.set_control_flow(match session.next_frame(now) {
+            Some(at) if at > now => ControlFlow::WaitUntil(at),
+            Some(_) => {
+                session.window().request_redraw();
+                ControlFlow::Wait
+            }
+            None => ControlFlow::Wait,
+        });
+    }
+
+    /// The surface goes before the window library's connection does.
+    fn exiting(&mut self, _: &ActiveEventLoop) {
+        self.session = None;
+    }
+}
+
+/// A window of the film's size, in logical pixels, as far as the monitor has room.
+fn attributes(events: &ActiveEventLoop, opening: &Opening) -> winit::window::WindowAttributes {
+    let film = opening.description.film.window().size();
+    let mut size = LogicalSize::new(f64::from(film.x), f64::from(film.y));
+    let monitor = events.primary_monitor().or_else(|| events.available_monitors().next());
+    if let Some(monitor) = monitor.filter(|monitor| monitor.size() != PhysicalSize::default()) {
+        let room: LogicalSize<f64> = monitor.size().to_logical(monitor.scale_factor());
+        // One factor for both sides: the picture keeps its shape.
+        let factor = (room.width / size.width).min(room.height / size.height).min(1.0);
+        size = LogicalSize::new((size.width * factor).max(1.0), (size.height * factor).max(1.0));
+    }
+    Window::default_attributes().with_title("Lucerna").with_inner_size(size)
+}

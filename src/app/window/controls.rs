@@ -1,0 +1,157 @@
+//! Mouse and keyboard to what they mean. Knows the window library's events, and nothing of the scene.
+
+use std::collections::HashSet;
+use std::f64::consts::PI;
+
+use glam::{DVec2, DVec3};
+use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
+use winit::keyboard::{Key, KeyCode, NamedKey, PhysicalKey};
+
+/// What a person asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Intent {
+    /// Radians.
+    Orbit(DVec2),
+    /// Heights of the picture.
+    Pan(DVec2),
+    /// The distance is multiplied by this.
+    Zoom(f64),
+    FrameAll,
+    /// A camera of the scene, by its place in the order of names, from 0.
+    Camera(usize),
+    Restart,
+    /// Stops.
+    Exposure(f32),
+    PrintCamera,
+    Help,
+    Panel,
+    Reload,
+    Fullscreen,
+    Save,
+    Quit,
+}
+
+/// A line of the wheel multiplies the distance by this.
+const ZOOM_LINE: f64 = 0.9;
+
+/// Pixels of a smooth wheel that are a line.
+const LINE_PIXELS: f64 = 40.0;
+
+/// A drag over the height of the window multiplies the distance by e to this.
+const ZOOM_DRAG: f64 = 3.0;
+
+/// Keys that fly while they are held, by their places on the keyboard: right, up, forward.
+const FLIGHT: [(KeyCode, DVec3); 6] = [
+    (KeyCode::KeyD, DVec3::X),
+    (KeyCode::KeyA, DVec3::NEG_X),
+    (KeyCode::KeyE, DVec3::Y),
+    (KeyCode::KeyQ, DVec3::NEG_Y),
+    (KeyCode::KeyW, DVec3::Z),
+    (KeyCode::KeyS, DVec3::NEG_Z),
+];
+
+/// What is held down, and where the pointer is.
+#[derive(Debug, Default)]
+pub struct Controls {
+    held: HashSet<KeyCode>,
+    drag: Option<MouseButton>,
+    /// Pixels from the window's top left; none outside.
+    pub cursor: Option<DVec2>,
+    shift: bool,
+}
+
+impl Controls {
+    /// Takes an event that nobody before wanted for himself. `height` of the window in pixels.
+    pub fn event(&mut self, event: &WindowEvent, height: f64) -> Option<Intent> {
+        match event {
+            WindowEvent::ModifiersChanged(modifiers) => self.shift = modifiers.state().shift_key(),
+            WindowEvent::KeyboardInput { event, is_synthetic: false, .. } => return self.key(event),
+            WindowEvent::MouseInput { state: ElementState::Pressed, button, .. } => self.drag = Some(*button),
+            WindowEvent::CursorMoved { position, .. } => {
+                let at = DVec2::new(position.x, position.y);
+                let from = self.cursor.replace(at);
+                return self.dragged((at - from?) / height.max(1.0));
+            }
+            WindowEvent::MouseWheel { delta, .. } => {
+                let lines = match delta {
+                    MouseScrollDelta::LineDelta(_, y) => f64::from(*y),
+                    MouseScrollDelta::PixelDelta(by) => by.y / LINE_PIXELS,
+                };
+                return Some(Intent::Zoom(ZOOM_LINE.powf(lines.clamp(-20.0, 20.0))));
+            }
+            _ => self.let_go(event),
+        }
+        None
+    }
+
+    /// Takes an event that the panel wants for itself: only what ends is heard, so that nothing stays held.
+    pub fn let_go(&mut self, event: &WindowEvent) {
+        match event {
+            WindowEvent::KeyboardInput {
+                event: KeyEvent { physical_key: PhysicalKey::Code(code), state: ElementState::Released, .. },
+                ..
+            } => {
+                self.held.remove(code);
+            }
+            WindowEvent::MouseInput { state: ElementState::Released, button, .. } if self.drag == Some(*button) => {
+                self.drag = None;
+            }
+            WindowEvent::CursorMoved { position, .. } => self.cursor = Some(DVec2::new(position.x, position.y)),
+            WindowEvent::CursorLeft { .. } => self.cursor = None,
+            WindowEvent::ModifiersChanged(modifiers) => self.shift = modifiers.state().shift_key(),
+            WindowEvent::Focused(false) => {
+                self.held.clear();
+                self.drag = None;
+            }
+            _ => {}
+        }
+    }
+
+    /// Where the keys that are held fly to: right, up, forward.
+    pub fn flight(&self) -> DVec3 {
+        FLIGHT.iter().filter(|(key, _)| self.held.contains(key)).map(|(_, way)| *way).sum()
+    }
+
+    fn dragged(&self, by: DVec2) -> Option<Intent> {
+        match self.drag? {
+            MouseButton::Left if !self.shift => Some(Intent::Orbit(by * PI)),
+            MouseButton::Left | MouseButton::Middle => Some(Intent::Pan(by)),
+            MouseButton::Right => Some(Intent::Zoom((by.y * ZOOM_DRAG).exp())),
+            _ => None,
+        }
+    }
+
+    fn key(&mut self, event: &KeyEvent) -> Option<Intent> {
+        let PhysicalKey::Code(code) = event.physical_key else { return None };
+        if event.state == ElementState::Released {
+            self.held.remove(&code);
+            return None;
+        }
+        if FLIGHT.iter().any(|(key, _)| *key == code) {
+            self.held.insert(code);
+            return None;
+        }
+        if event.repeat {
+            return None;
+        }
+        match &event.logical_key {
+            Key::Named(named) => match named {
+                NamedKey::F1 => Some(Intent::Help),
+                NamedKey::F2 => Some(Intent::Panel),
+                NamedKey::F5 => Some(Intent::Reload),
+                NamedKey::F11 => Some(Intent::Fullscreen),
+                NamedKey::F12 => Some(Intent::Save),
+                NamedKey::Escape => Some(Intent::Quit),
+                _ => None,
+            },
+            Key::Character(text) => match text.to_lowercase().as_str() {
+                "f" => Some(Intent::FrameAll),
+                "r" => Some(Intent::Restart),
+                "c" => Some(Intent::PrintCamera),
+                "b" => Some(Intent::Exposure(if self.shift { -0.5 } else { 0.5 })),
+                digit => digit.parse::<usize>().ok().filter(|n| (1..=9).contains(n)).map(|n| Intent::Camera(n - 1)),
+            },
+            _ => None,
+        }
+    }
+}

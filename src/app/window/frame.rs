@@ -1,0 +1,218 @@
+//! One frame of a session: takes up what changed, traces for a while, draws.
+
+use std::time::{Duration, Instant};
+
+use glam::UVec2;
+
+use super::panel::Outcome;
+use super::screen::physical_size;
+use super::session::Session;
+use super::{cameras, navigate, pace};
+use crate::app::Failure;
+use crate::app::failure::rendered;
+use crate::components::Film;
+use crate::gpu::{Drawn, Fit, GpuError};
+use crate::systems::state::{PackedScene, Spent};
+use crate::systems::{EngineError, Progress};
+
+/// A film that is moved on before each of its pixels has a sample gets so much time for it.
+const FIRST_SAMPLE: Duration = Duration::from_millis(100);
+
+/// Sizes of the scene a second, at full speed.
+const FLIGHT_SPEED: f64 = 0.3;
+
+/// A frame that takes longer does not make a flight longer.
+const LONGEST_FRAME: Duration = Duration::from_millis(100);
+
+/// Time between two changes of the title.
+const TITLE: Duration = Duration::from_millis(500);
+
+impl Session {
+    /// One frame: takes up what changed, traces for a while, draws.
+    pub fn frame(&mut self) -> Result<(), EngineError> {
+        let now = Instant::now();
+        if physical_size(&self.window).min_element() == 0 {
+            return Ok(());
+        }
+        let elapsed = now.duration_since(self.last_frame).min(LONGEST_FRAME);
+        self.last_frame = now;
+        if !self.started {
+            // The first step compiles for a while: a window that says so comes before it.
+            self.started = true;
+            self.overlay.notice = Some("compiling shaders".to_owned());
+            self.draw()?;
+            self.overlay.notice = None;
+            return Ok(());
+        }
+        self.fly(elapsed, now);
+        self.follow_view(now);
+        self.follow_window(now);
+        let before = self.traced();
+        if self.working {
+            self.step()?;
+        }
+        let pixel = self.pixel_under_pointer();
+        self.panel.look(&mut self.engine, pixel, self.film_began, now)?;
+        self.draw()?;
+        let traced = Duration::from_secs_f64((self.traced() - before).max(0.0));
+        self.drawing = (self.drawing * 3 + now.elapsed().saturating_sub(traced)) / 4;
+        Ok(())
+    }
+
+    /// Seconds of tracing so far. The time of compiling is not in it.
+    fn traced(&mut self) -> f64 {
+        self.engine.edit(|world| world.resource::<Spent>().trace)
+    }
+
+    /// How the picture lies on the window: a crop keeps its shape, any other film is as large as the window.
+    fn fit(&mut self) -> Fit {
+        let crop = self.engine.edit(|world| world.query::<&Film>().iter(world).any(|film| film.crop.is_some()));
+        if crop { Fit::Letterbox } else { Fit::Fill }
+    }
+
+    /// The pixel of the picture that the pointer is on.
+    pub(super) fn pixel_under_pointer(&mut self) -> Option<UVec2> {
+        let (cursor, fit) = (self.controls.cursor?.as_vec2(), self.fit());
+        let size = self.engine.edit(|world| {
+            let shot = world.resource::<PackedScene>().shot;
+            UVec2::new(shot.window_width, shot.window_height)
+        });
+        let (origin, extent) = fit.place(size, physical_size(&self.window));
+        let at = (cursor - origin) / extent * size.as_vec2();
+        (at.cmpge(glam::Vec2::ZERO).all() && at.cmplt(size.as_vec2()).all()).then(|| at.as_uvec2())
+    }
+
+    /// Flies on, or comes to rest.
+    fn fly(&mut self, elapsed: Duration, now: Instant) {
+        let wanted = self.controls.flight();
+        if wanted == glam::DVec3::ZERO && !self.flight.is_under_way() {
+            return;
+        }
+        let speed = FLIGHT_SPEED * self.scene_size();
+        let way = self.flight.advance(wanted, elapsed);
+        self.view = navigate::fly(self.view, way * speed);
+        self.view_moved = true;
+        self.pace.moved(now);
+    }
+
+    /// Moves the engine's camera after the view, once there is a picture of where it was: a film that starts anew before
+    /// it has any shows nothing.
+    fn follow_view(&mut self, now: Instant) {
+        let whole = self.progress.is_none_or(|progress| progress.spp >= 1);
+        if !self.view_moved || !(whole || now.duration_since(self.film_began) > FIRST_SAMPLE) {
+            return;
+        }
+        let view = self.view;
+        self.engine.edit(|world| cameras::set_view(world, view));
+        self.view_moved = false;
+        self.fit_film();
+        self.film_began = now;
+        self.working = true;
+    }
+
+    /// Gives the film the window's whole size, once nothing moves.
+    fn follow_window(&mut self, now: Instant) {
+        if self.pace.settle(now) || self.progress.is_none() {
+            self.fit_film();
+        }
+    }
+
+    /// Gives the film the size that the window has for it.
+    pub(super) fn fit_film(&mut self) {
+        self.set_film_size(self.pace.film_size(physical_size(&self.window)));
+    }
+
+    /// A film without a crop is as large as the window wants it; a crop is a part of a film of one size.
+    fn set_film_size(&mut self, size: UVec2) {
+        let changed = self.engine.edit(|world| {
+            let mut films = world.query::<&mut Film>();
+            let film = films.iter_mut(world).next().filter(|film| film.crop.is_none() && film.size != size);
+            film.map(|mut film| film.size = size).is_some()
+        });
+        if changed {
+            self.film_began = Instant::now();
+            self.working = true;
+        }
+    }
+
+    /// Runs the schedule once. What goes wrong is said once, and stays over the picture until a step succeeds.
+    fn step(&mut self) -> Result<(), EngineError> {
+        let begin = Instant::now();
+        let before = self.traced();
+        let budget = match self.pace.settles_at() {
+            Some(_) => pace::MOVING_SAMPLE,
+            None => pace::still_step(self.drawing),
+        };
+        match self.engine.step(budget) {
+            Ok(progress) => {
+                if self.progress.is_some_and(|before| progress.spp < before.spp) {
+                    self.film_began = begin;
+                }
+                let seconds = self.traced() - before;
+                self.pace.learn(progress.samples, seconds);
+                self.working = !progress.finished;
+                self.progress = Some(progress);
+                self.failure = None;
+            }
+            Err(EngineError::Gpu(error @ GpuError::Lost { .. })) => return Err(error.into()),
+            Err(error) => {
+                let failure = Failure::engine(error);
+                let text = rendered(&*failure.report, false);
+                if self.failure.as_ref() != Some(&text) {
+                    failure.show();
+                }
+                self.failure = Some(text);
+                // Until something changes, it would fail again.
+                self.working = false;
+            }
+        }
+        self.take_saves();
+        Ok(())
+    }
+
+    /// Draws the picture there is, and what lies over it.
+    fn draw(&mut self) -> Result<(), EngineError> {
+        let begin = Instant::now();
+        let fit = self.fit();
+        let Session { screen, engine, overlay, panel, .. } = self;
+        let mut outcome = Outcome::default();
+        let (paint, again) = screen.run_ui(|ui| {
+            if panel.open {
+                outcome = panel.show(ui, engine);
+            }
+            overlay.show(ui.ctx());
+        });
+        self.redraw = screen.draw(engine, fit, paint)? == Drawn::Later;
+        // Else the next step would take the time of drawing for that of its samples.
+        self.gpu.wait()?;
+        self.take_outcome(outcome);
+        // egui asks for nothing by the longest of times.
+        self.ui_again = begin.checked_add(again).filter(|_| again < Duration::from_secs(3600));
+        self.set_title();
+        Ok(())
+    }
+
+    /// Goes on from what was done in the panel.
+    fn take_outcome(&mut self, outcome: Outcome) {
+        let now = Instant::now();
+        if outcome.moved {
+            self.pace.moved(now);
+            self.fit_film();
+        }
+        self.working |= outcome.edited || outcome.moved;
+        if let Some(name) = outcome.camera {
+            self.choose_camera(&name, now);
+        }
+    }
+
+    /// Says in the title how far the film is, twice a second and when it is finished.
+    fn set_title(&mut self) {
+        let Some(progress) = self.progress else { return };
+        if !progress.finished && self.titled.is_some_and(|at| at.elapsed() < TITLE) {
+            return;
+        }
+        self.titled = Some(Instant::now());
+        let Progress { spp, target, .. } = progress;
+        self.window.set_title(&format!("{}: {spp} of {target} spp (F1 for keys) - Lucerna", self.name()));
+    }
+}

@@ -1,0 +1,137 @@
+//! What each key and gesture does.
+
+use std::path::Path;
+use std::time::Instant;
+
+use winit::window::Fullscreen;
+
+use super::controls::Intent;
+use super::screen::physical_size;
+use super::session::Session;
+use super::{cameras, navigate, snapshot};
+use crate::app::{Failure, output};
+use crate::components::{Camera, Film};
+use crate::scene;
+use crate::systems::EngineError;
+use crate::systems::state::{Dirty, PackedScene};
+
+/// Stops of exposure, either way: what a scene file may say.
+const MOST_STOPS: f32 = 64.0;
+
+/// The nearest that zooming comes to its target, in sizes of the scene.
+const CLOSEST: f64 = 1e-4;
+
+impl Session {
+    /// Does what was asked for.
+    pub(super) fn act(&mut self, intent: Intent) -> Result<(), EngineError> {
+        let now = Instant::now();
+        match intent {
+            Intent::Orbit(angle) => self.set_view(navigate::orbit(self.view, angle), now),
+            Intent::Pan(shift) => self.set_view(navigate::pan(self.view, shift), now),
+            Intent::Zoom(factor) => {
+                let closest = CLOSEST * self.scene_size();
+                self.set_view(navigate::zoom(self.view, factor, closest), now);
+            }
+            Intent::FrameAll => self.frame_all(now),
+            Intent::Camera(place) => {
+                let names: Vec<String> = self.engine.edit(cameras::all).into_keys().collect();
+                if let Some(name) = names.get(place) {
+                    self.choose_camera(name, now);
+                }
+            }
+            Intent::Restart => {
+                self.engine.edit(|world| world.resource_mut::<Dirty>().film = true);
+                self.look_again();
+            }
+            Intent::Exposure(stops) => self.expose(stops),
+            Intent::PrintCamera => self.print_camera(),
+            Intent::Help => {
+                self.overlay.help = !self.overlay.help;
+                self.draw_again();
+            }
+            Intent::Panel => {
+                self.panel.toggle(&mut self.engine);
+                self.draw_again();
+            }
+            Intent::Reload => {
+                self.engine.reload();
+                self.look_again();
+            }
+            Intent::Fullscreen => {
+                let full = self.window.fullscreen().is_some();
+                self.window.set_fullscreen((!full).then_some(Fullscreen::Borderless(None)));
+            }
+            Intent::Save => self.save()?,
+            Intent::Quit => self.quit(),
+        }
+        Ok(())
+    }
+
+    fn set_view(&mut self, view: Camera, now: Instant) {
+        self.view = view;
+        self.view_moved = true;
+        self.pace.moved(now);
+    }
+
+    /// Looks through a camera of the scene, from where the scene's file has it.
+    pub(super) fn choose_camera(&mut self, name: &str, now: Instant) {
+        let held = self.engine.edit(cameras::all).get(name).copied();
+        if let Some(home) = self.homes.get(name).copied().or(held) {
+            self.engine.edit(|world| cameras::choose(world, name, home));
+            self.take_view(now);
+        }
+    }
+
+    fn frame_all(&mut self, now: Instant) {
+        let (low, high) = self.engine.edit(|world| {
+            let scene = world.resource::<PackedScene>();
+            (scene.low, scene.high)
+        });
+        let size = physical_size(&self.window).as_dvec2();
+        self.set_view(navigate::frame(self.view, low, high, size.x / size.y.max(1.0)), now);
+    }
+
+    fn expose(&mut self, stops: f32) {
+        let exposure = self.engine.edit(|world| {
+            let mut film = world.query::<&mut Film>().iter_mut(world).next()?;
+            film.exposure = (film.exposure + stops).clamp(-MOST_STOPS, MOST_STOPS);
+            Some(film.exposure)
+        });
+        if let Some(exposure) = exposure {
+            self.notify(format!("exposure {exposure:+} stops"));
+            self.look_again();
+        }
+    }
+
+    fn print_camera(&mut self) {
+        let Some((name, _)) = self.engine.edit(cameras::view) else { return };
+        let line = navigate::to_ron(&name, &self.view);
+        match output::write(&format!("{line}\n")) {
+            Ok(()) => self.notify("the camera was printed to the terminal".to_owned()),
+            Err(error) => self.notify(format!("stdout: {error}")),
+        }
+    }
+
+    /// Saves the film. A file that can't be written is no reason to stop.
+    fn save(&mut self) -> Result<(), EngineError> {
+        let film = self.engine.film()?;
+        if film.spp == 0 {
+            self.notify("nothing saved: the first sample is not complete yet".to_owned());
+            return Ok(());
+        }
+        let name = self.name().to_owned();
+        let scene = self.engine.edit(|world| scene::describe(world, &name));
+        match snapshot::save(Path::new("result"), &scene, &self.gpu.name(), &film) {
+            Ok(files) => {
+                let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+                output::note(&format!("saved {}", names.join(" and ")));
+                self.notify(format!("saved {}", names.join(" and ")));
+            }
+            Err(error) => {
+                self.notify(error.to_string());
+                Failure::of(error).show();
+            }
+        }
+        Ok(())
+    }
+}

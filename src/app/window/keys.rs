@@ -1,0 +1,20 @@
+//! The one table of keys: what the help shows, and what README.md lists.
+
+/// A key or gesture, and what it does.
+pub const KEYS: &[(&str, &str)] = &[
+    ("left drag", "orbit about the point that is looked at"),
+    ("middle drag, Shift + left drag", "pan"),
+    ("wheel, right drag", "come closer, go away"),
+    ("W A S D, Q E", "fly; down and up"),
+    ("F", "show the whole scene"),
+    ("1 to 9", "the scene's cameras by name, as the scene has them"),
+    ("R", "start the film anew"),
+    ("B, Shift + B", "half a stop brighter, darker"),
+    ("C", "print the camera as a line for the scene file"),
+    ("F1", "this help"),
+    ("F2", "the panel"),
+    ("F5", "read shaders and scene again"),
+    ("F11", "fullscreen"),
+    ("F12", "save PNG and EXR to result/"),
+    ("Esc", "quit"),
+];

@@ -1,0 +1,67 @@
+//! `lucerna view`: a window that traces progressively, and lets a person move.
+//!
+//! The same schedule as headless: each frame takes up what changed, runs one step of the engine for a few milliseconds, and
+//! draws the picture there is. A finished film of an unchanged scene does nothing at all: no step, no frame.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | `application` | the window library's events, and when to wake |
+//! | `session`, `frame` | a window with an engine: what it keeps; one frame |
+//! | `intents` | what each key and gesture does |
+//! | `controls`, `keys` | events to intents; the table of keys |
+//! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
+//! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
+//! | `saves` | what was saved meanwhile |
+//! | `panel` | numbers, curves, sliders |
+
+mod application;
+mod cameras;
+mod controls;
+pub mod flight;
+mod frame;
+mod intents;
+pub mod keys;
+pub mod navigate;
+mod overlay;
+pub mod pace;
+mod panel;
+mod saves;
+mod screen;
+mod session;
+mod snapshot;
+
+use winit::event_loop::EventLoop;
+
+use super::arguments::ViewArguments;
+use super::{Exit, Failure};
+
+use application::Application;
+use session::Opening;
+
+/// There is nothing to open a window on.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("no display to open a window on: {0}")]
+#[diagnostic(help("use `lucerna render`, which needs none"))]
+struct NoDisplay(winit::error::EventLoopError);
+
+/// The loop of events ended by itself.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("the window's events ended: {0}")]
+struct Ended(winit::error::EventLoopError);
+
+/// Whether there is anything that a window could open on.
+pub fn has_display() -> bool {
+    let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    cfg!(not(all(unix, not(target_os = "macos"))))
+        || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].iter().any(|v| set(v))
+}
+
+/// Opens a window on a scene, and returns once it is closed.
+pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
+    let events = EventLoop::new().map_err(|error| Failure::of(NoDisplay(error)))?;
+    let opened = arguments.flags.open(&arguments.scene, false)?;
+    let wake = events.create_proxy();
+    let mut application = Application::new(Opening::new(opened, arguments.flags.clone(), wake));
+    events.run_app(&mut application).map_err(|error| Failure::of(Ended(error)))?;
+    application.outcome()
+}

@@ -1,0 +1,90 @@
+//! The mathematics of moving a camera. Pure functions of a camera, all in f64, so that they can be tested by themselves.
+//!
+//! "Right" and "up" are those of the picture. Every result is a camera that the scene reader would accept, as long as the
+//! first one is.
+
+use std::f64::consts::FRAC_PI_2;
+
+use glam::{DQuat, DVec2, DVec3};
+
+use crate::components::Camera;
+
+/// Radians that an orbit stays away from the poles, where the picture would turn over.
+const POLE_MARGIN: f64 = 0.01;
+
+/// The camera's own axes: right, up and forward, unit length.
+fn axes(camera: &Camera) -> [DVec3; 3] {
+    let forward = (camera.look_at - camera.position).normalize_or(DVec3::NEG_Z);
+    let right = forward.cross(camera.up).normalize_or(forward.any_orthonormal_vector());
+    [right, right.cross(forward), forward]
+}
+
+/// Distance of the point that is looked at.
+pub fn distance(camera: &Camera) -> f64 {
+    camera.position.distance(camera.look_at)
+}
+
+/// Turns about the point that is looked at. `angle` in radians: the scene seems to follow a hand that goes right and down.
+/// Keeps the distance; ends short of the poles of the camera's `up`.
+pub fn orbit(camera: Camera, angle: DVec2) -> Camera {
+    let pole = camera.up.normalize_or(DVec3::Y);
+    let offset = camera.position - camera.look_at;
+    let distance = offset.length();
+    let height = offset.dot(pole);
+    let level = (offset - height * pole).normalize_or(pole.any_orthonormal_vector());
+    let level = DQuat::from_axis_angle(pole, -angle.x) * level;
+    let most = FRAC_PI_2 - POLE_MARGIN;
+    let elevation = (height / distance).clamp(-1.0, 1.0).asin();
+    // A camera that already looks steeper than an orbit may is not thrown back.
+    let (sin, cos) = (elevation + angle.y).clamp(-most.max(-elevation), most.max(elevation)).sin_cos();
+    Camera { position: camera.look_at + distance * (cos * level + sin * pole), ..camera }
+}
+
+/// Moves camera and target alike, across the view. `shift` is in heights of the picture, right and down: the point that is
+/// looked at stays under the hand.
+pub fn pan(camera: Camera, shift: DVec2) -> Camera {
+    let [right, up, _] = axes(&camera);
+    let height = 2.0 * (0.5 * camera.fov_y.to_radians()).tan() * distance(&camera);
+    translate(camera, height * (shift.y * up - shift.x * right))
+}
+
+/// Multiplies the distance to the target by `factor`, above 0, and comes no closer than `closest`: never past it.
+pub fn zoom(camera: Camera, factor: f64, closest: f64) -> Camera {
+    let from = distance(&camera);
+    // Whoever is closer already may leave, and not come nearer still.
+    let to = (from * factor).max(closest.min(from));
+    Camera { position: camera.look_at + (camera.position - camera.look_at) * (to / from), ..camera }
+}
+
+/// Moves camera and target alike by `step`: right, up and forward, scene units. Up is the scene's, so that flying over a
+/// ground keeps its height whatever the view.
+pub fn fly(camera: Camera, step: DVec3) -> Camera {
+    let [right, _, forward] = axes(&camera);
+    translate(camera, step.x * right + step.y * camera.up.normalize_or(DVec3::Y) + step.z * forward)
+}
+
+/// Looks, from where it looks now, at all of the box between `low` and `high`. `aspect` is the film's width by its height.
+/// A box without corners changes nothing.
+pub fn frame(camera: Camera, low: DVec3, high: DVec3, aspect: f64) -> Camera {
+    let radius = 0.5 * (high - low).length();
+    if !(low.cmple(high).all() && radius.is_finite() && radius > 0.0) {
+        return camera;
+    }
+    let half = 0.5 * camera.fov_y.to_radians();
+    let narrower = half.min((half.tan() * aspect).atan());
+    let [.., forward] = axes(&camera);
+    let look_at = 0.5 * (low + high);
+    Camera { position: look_at - forward * (radius / narrower.sin()), look_at, ..camera }
+}
+
+fn translate(camera: Camera, by: DVec3) -> Camera {
+    Camera { position: camera.position + by, look_at: camera.look_at + by, ..camera }
+}
+
+/// The camera as an entry of a scene file's `cameras`, in one line, exact.
+pub fn to_ron(name: &str, camera: &Camera) -> String {
+    let vector = |v: DVec3| format!("({}, {}, {})", v.x, v.y, v.z);
+    let [position, look_at, up] = [camera.position, camera.look_at, camera.up].map(vector);
+    let fov_y = camera.fov_y;
+    format!("{name:?}: (position: {position}, look_at: {look_at}, up: {up}, fov_y: {fov_y}),")
+}

@@ -1,0 +1,92 @@
+//! The panel: what the engine does, and what can be changed about it.
+//!
+//! Nothing is read back from the device while it is closed. Every change is an edit of components: the engine finds out by
+//! itself what it makes undone.
+
+mod materials;
+mod passes;
+mod pixel;
+mod progress;
+mod settings;
+mod watch;
+
+use std::time::Instant;
+
+use glam::UVec2;
+
+use crate::systems::{Engine, EngineError};
+
+use watch::Watch;
+
+/// What a person did in the panel.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outcome {
+    /// A component was written.
+    pub edited: bool,
+    /// Something that the picture follows by the hand, like a moving camera.
+    pub moved: bool,
+    /// A camera was chosen.
+    pub camera: Option<String>,
+}
+
+/// The panel, and what it shows.
+pub struct Panel {
+    pub open: bool,
+    watch: Watch,
+}
+
+impl Panel {
+    /// Closed. `features` are all that shaders know.
+    pub fn new(features: Vec<String>) -> Self {
+        Self { open: false, watch: Watch::new(features) }
+    }
+
+    /// Opens it, or closes it; passes are timed while it is open.
+    pub fn toggle(&mut self, engine: &mut Engine) {
+        self.open = !self.open;
+        engine.set_timing(self.open);
+        self.watch.forget();
+    }
+
+    /// When it wants to look at the engine again; none while it shows all there is. `pixel` is that under the pointer,
+    /// `began` when the film last started anew.
+    pub fn next_look(&self, engine: &mut Engine, pixel: Option<UVec2>, began: Instant) -> Option<Instant> {
+        if self.open { self.watch.next(engine, pixel, began) } else { None }
+    }
+
+    /// Looks at the engine, as far as it is time to. Says whether there is something new to show.
+    pub fn look(
+        &mut self,
+        engine: &mut Engine,
+        pixel: Option<UVec2>,
+        began: Instant,
+        now: Instant,
+    ) -> Result<bool, EngineError> {
+        if self.open { self.watch.look(engine, pixel, began, now) } else { Ok(false) }
+    }
+
+    /// Draws it, at the right side of the window.
+    pub fn show(&self, ui: &mut egui::Ui, engine: &mut Engine) -> Outcome {
+        let mut outcome = Outcome::default();
+        let fill = egui::Color32::from_rgba_unmultiplied(24, 24, 24, 235);
+        let frame = egui::Frame::side_top_panel(ui.style()).fill(fill);
+        egui::Panel::right("panel").frame(frame).default_size(300.0).show(ui, |ui| {
+            egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                section(ui, "Progress", true, |ui| progress::show(ui, &self.watch));
+                section(ui, "Pixel", true, |ui| pixel::show(ui, self.watch.pixel.as_ref()));
+                engine.edit(|world| {
+                    section(ui, "Camera", true, |ui| outcome.camera = settings::cameras(ui, world));
+                    section(ui, "Settings", true, |ui| outcome.edited |= settings::show(ui, world));
+                    let seen = self.watch.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
+                    section(ui, "Materials", false, |ui| outcome.moved |= materials::show(ui, world, seen));
+                });
+                section(ui, "Passes", false, |ui| passes::show(ui, &self.watch));
+            });
+        });
+        outcome
+    }
+}
+
+fn section(ui: &mut egui::Ui, title: &str, open: bool, content: impl FnOnce(&mut egui::Ui)) {
+    egui::CollapsingHeader::new(egui::RichText::new(title).strong()).default_open(open).show(ui, content);
+}

@@ -1,0 +1,194 @@
+//! What the panel shows of the engine, read now and then: reading back stops the device for a moment.
+
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+use glam::UVec2;
+
+use crate::gpu::PassTiming;
+use crate::systems::inspect::{Inspected, inspect};
+use crate::systems::state::{FilmProgress, PackedScene, Spent};
+use crate::systems::{Engine, EngineError, Report};
+
+/// Time between two looks at the film, at least.
+const FILM: Duration = Duration::from_secs(1);
+
+/// Looking at the film takes at most this part of the time.
+const SHARE: u32 = 10;
+
+/// Time between two looks at a pixel.
+const PIXEL: Duration = Duration::from_millis(300);
+
+/// Points of the curve; beyond that, every second one is dropped.
+const MOST_POINTS: usize = 512;
+
+/// What a look at the film was at: when it had begun, and the samples the engine had traced.
+type Stamp = (Instant, u64);
+
+/// The last looks at the engine.
+pub struct Watch {
+    /// All features that shaders know.
+    pub features: Vec<String>,
+    /// Those that the scene needs.
+    pub needed: Vec<String>,
+    pub spp: u32,
+    pub target: u32,
+    /// Of all pixels; 0 before the second look.
+    pub samples_per_second: f64,
+    pub rays_per_second: f64,
+    pub report: Option<Report>,
+    /// Estimated relMSE; none before the second sample.
+    pub error: Option<f64>,
+    /// log10 of the seconds since the film began, and of its estimated relMSE.
+    pub curve: Vec<[f64; 2]>,
+    /// Time by pass between the last two looks that found any.
+    pub passes: Vec<PassTiming>,
+    /// Dispatches by pass between the last two looks that found any.
+    pub dispatched: BTreeMap<&'static str, u64>,
+    pub pixel: Option<Inspected>,
+    film_look: Option<(Instant, Stamp)>,
+    film_cost: Duration,
+    pixel_look: Option<(Instant, Option<UVec2>, Stamp)>,
+}
+
+impl Watch {
+    /// Nothing was looked at yet.
+    pub fn new(features: Vec<String>) -> Self {
+        Self {
+            features,
+            needed: Vec::new(),
+            spp: 0,
+            target: 0,
+            samples_per_second: 0.0,
+            rays_per_second: 0.0,
+            report: None,
+            error: None,
+            curve: Vec::new(),
+            passes: Vec::new(),
+            dispatched: BTreeMap::new(),
+            pixel: None,
+            film_look: None,
+            film_cost: Duration::ZERO,
+            pixel_look: None,
+        }
+    }
+
+    /// Looks at all of it anew, as soon as may be.
+    pub fn forget(&mut self) {
+        *self = Self::new(std::mem::take(&mut self.features));
+    }
+
+    /// When the film is to be looked at, if it is another than the last time.
+    fn film_due(&self, stamp: Stamp, now: Instant) -> Option<Instant> {
+        match self.film_look {
+            None => Some(now),
+            Some((_, last)) if last == stamp => None,
+            Some((at, _)) => Some(at + FILM.max(self.film_cost * SHARE)),
+        }
+    }
+
+    /// The same of the pixel.
+    fn pixel_due(&self, pixel: Option<UVec2>, stamp: Stamp, now: Instant) -> Option<Instant> {
+        match self.pixel_look {
+            None => Some(now),
+            Some((_, last_pixel, last)) if (last_pixel, last) == (pixel, stamp) => None,
+            Some((at, ..)) => Some(at + PIXEL),
+        }
+    }
+
+    /// When the next look is due; none if nothing changed since the last.
+    pub fn next(&self, engine: &mut Engine, pixel: Option<UVec2>, began: Instant) -> Option<Instant> {
+        let (stamp, now) = (stamp(engine, began), Instant::now());
+        [self.film_due(stamp, now), self.pixel_due(pixel, stamp, now)].into_iter().flatten().min()
+    }
+
+    /// Looks at what is due. Says whether anything was.
+    pub fn look(
+        &mut self,
+        engine: &mut Engine,
+        pixel: Option<UVec2>,
+        began: Instant,
+        now: Instant,
+    ) -> Result<bool, EngineError> {
+        let stamp = stamp(engine, began);
+        let film = self.film_due(stamp, now).is_some_and(|at| at <= now);
+        if film {
+            self.look_at_film(engine, stamp, now)?;
+        }
+        let one = self.pixel_due(pixel, stamp, now).is_some_and(|at| at <= now);
+        if one {
+            self.pixel = match pixel {
+                Some(pixel) => engine.edit(|world| inspect(world, pixel))?,
+                None => None,
+            };
+            self.pixel_look = Some((now, pixel, stamp));
+        }
+        Ok(film || one)
+    }
+
+    fn look_at_film(&mut self, engine: &mut Engine, stamp: Stamp, now: Instant) -> Result<(), EngineError> {
+        let begin = Instant::now();
+        let (began, traced) = stamp;
+        let report = engine.report()?;
+        (self.spp, self.target, self.needed) = engine.edit(|world| {
+            let scene = world.resource::<PackedScene>();
+            (world.resource::<FilmProgress>().samples, scene.target, scene.features.iter().cloned().collect())
+        });
+        if self.film_look.is_none_or(|(_, (last, _))| last != began) {
+            self.curve.clear();
+        }
+        self.error = None;
+        if self.spp > 1 {
+            let error = engine.film()?.relative_error;
+            self.error = Some(error);
+            self.add_point(now.duration_since(began).as_secs_f64(), error);
+        }
+        if let Some((at, (_, before))) = self.film_look {
+            let seconds = now.duration_since(at).as_secs_f64().max(1e-3);
+            self.samples_per_second = traced.saturating_sub(before) as f64 / seconds;
+            let rays_per_sample = report.rays as f64 / report.samples.max(1) as f64;
+            self.rays_per_second = self.samples_per_second * rays_per_sample;
+        }
+        self.count_passes(&report);
+        self.report = Some(report);
+        self.film_look = Some((now, stamp));
+        self.film_cost = begin.elapsed();
+        Ok(())
+    }
+
+    fn add_point(&mut self, seconds: f64, error: f64) {
+        if seconds > 0.0 && error > 0.0 {
+            self.curve.push([seconds.log10(), error.log10()]);
+        }
+        if self.curve.len() > MOST_POINTS {
+            let mut place = 0;
+            self.curve.retain(|_| {
+                place += 1;
+                place % 2 == 1
+            });
+        }
+    }
+
+    fn count_passes(&mut self, report: &Report) {
+        let before = |name: &str| {
+            let last = self.report.as_ref();
+            last.and_then(|last| last.dispatches.get(name)).copied().unwrap_or(0)
+        };
+        let since: BTreeMap<&'static str, u64> = report
+            .dispatches
+            .iter()
+            .map(|(name, count)| (*name, count - before(name)))
+            .filter(|(_, count)| *count > 0)
+            .collect();
+        if !since.is_empty() {
+            self.dispatched = since;
+        }
+        if !report.passes.is_empty() {
+            self.passes.clone_from(&report.passes);
+        }
+    }
+}
+
+fn stamp(engine: &mut Engine, began: Instant) -> Stamp {
+    (began, engine.edit(|world| world.resource::<Spent>().samples))
+}

@@ -1,0 +1,66 @@
+//! What was saved while the window is open: said in the window and in the terminal, and taken up by the view.
+
+use std::time::{Duration, Instant};
+
+use super::cameras;
+use super::session::Session;
+use crate::app::failure::{rendered, show};
+use crate::app::output;
+use crate::systems::reload::ReloadEvent;
+
+impl Session {
+    /// Takes up what the last step of the engine tells. Each failure goes to the terminal once, and stands over the picture
+    /// until it is mended.
+    pub(super) fn take_saves(&mut self) {
+        for event in self.engine.events() {
+            match event {
+                ReloadEvent::Failed { problems, .. } => {
+                    problems.iter().for_each(|problem| show(&*problem.diagnostic));
+                    self.redraw = true;
+                }
+                ReloadEvent::Reloaded { files, restarts, warnings, since_save } => {
+                    warnings.iter().for_each(|warning| show(&*warning.diagnostic));
+                    let names: Vec<_> = files.iter().filter_map(|file| file.file_name()).collect();
+                    let what = match names.as_slice() {
+                        [] => "everything".to_owned(),
+                        [one] => one.to_string_lossy().into_owned(),
+                        [one, others @ ..] => format!("{} and {} others", one.to_string_lossy(), others.len()),
+                    };
+                    self.tell(format!("{what} taken up after {}: {restarts} anew", milliseconds(since_save)));
+                    if restarts.film {
+                        self.film_began = Instant::now();
+                    }
+                    self.follow_files();
+                }
+                ReloadEvent::FirstPixels { since_save } => {
+                    self.tell(format!("new pixels {} after the save", milliseconds(since_save)));
+                }
+            }
+        }
+        let standing = self.engine.problems();
+        let texts = standing.iter().map(|problem| rendered(&*problem.diagnostic, false));
+        self.overlay.problems = self.failure.iter().cloned().chain(texts).collect();
+    }
+
+    /// The cameras that the keys go to are those of the file, and the view is where the file has put it, if it has.
+    fn follow_files(&mut self) {
+        if let Some(scene) = self.engine.saved_scene() {
+            self.homes.clone_from(&scene.cameras);
+        }
+        let view = self.engine.edit(cameras::view).map(|(_, view)| view);
+        if !self.view_moved && view != Some(self.view) {
+            self.take_view(Instant::now());
+        }
+        self.fit_film();
+        self.working = true;
+    }
+
+    fn tell(&mut self, text: String) {
+        output::note(&text);
+        self.notify(text);
+    }
+}
+
+fn milliseconds(time: Duration) -> String {
+    format!("{:.0} ms", time.as_secs_f64() * 1e3)
+}

@@ -1,0 +1,61 @@
+//! Saves what the window shows to `result/`, as PNG and EXR.
+
+use std::path::{Path, PathBuf};
+
+use super::navigate;
+use crate::app::report;
+use crate::components::Film;
+use crate::scene::SceneDescription;
+use crate::systems::FilmImage;
+use crate::systems::save::{Output, Picture, SaveError};
+
+/// Numbers that are tried for a name that is free.
+const MOST_NAMES: u32 = 100_000;
+
+/// Writes the film under the first name that is free in `folder`, `SCENE-1.png` and `.exr`. Returns the files.
+pub fn save(
+    folder: &Path,
+    scene: &SceneDescription,
+    adapter: &str,
+    film: &FilmImage,
+) -> Result<Vec<PathBuf>, SaveError> {
+    let path = |n: u32, extension: &str| folder.join(format!("{}-{n}.{extension}", scene.name));
+    let free = |n: &u32| !path(*n, "png").exists() && !path(*n, "exr").exists();
+    let number = (1..MOST_NAMES).find(free).unwrap_or(MOST_NAMES);
+    let metadata = metadata(scene, adapter, film);
+    let picture = Picture {
+        size: film.size,
+        window: film.window,
+        linear: &film.rgb,
+        display: &film.picture,
+        metadata: &metadata,
+        report: &serde_json::Value::Null,
+    };
+    let files = ["png", "exr"].map(|extension| path(number, extension));
+    for file in &files {
+        Output::new(file)?.write(&picture)?;
+    }
+    Ok(files.to_vec())
+}
+
+/// What it takes to come back to this picture. The camera is as it was moved, as a line for the scene file.
+fn metadata(scene: &SceneDescription, adapter: &str, film: &FilmImage) -> Vec<(&'static str, String)> {
+    let render = &scene.render;
+    let camera = scene.cameras.get(&scene.active).map(|camera| navigate::to_ron(&scene.active, camera));
+    let Film { exposure, .. } = scene.film;
+    vec![
+        ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
+        ("scene", scene.name.clone()),
+        ("camera", camera.unwrap_or_default()),
+        ("size", format!("{}x{}", film.size.x, film.size.y)),
+        ("spp", film.spp.to_string()),
+        ("seed", render.seed.to_string()),
+        ("integrator", report::integrator(render.integrator).to_owned()),
+        ("sampler", report::sampler(render.sampler).to_owned()),
+        ("max_depth", render.max_depth.to_string()),
+        ("roulette", report::switch(render.roulette).to_owned()),
+        ("energy", report::energy(render.energy).to_owned()),
+        ("exposure", exposure.to_string()),
+        ("adapter", adapter.to_owned()),
+    ]
+}

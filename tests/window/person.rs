@@ -1,0 +1,212 @@
+//! A person at the window: looks, moves, presses keys, leaves it alone, and quits. By real events on a display of its own.
+
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+use tempfile::TempDir;
+use x11rb::protocol::xproto::Window;
+
+use super::xvfb::{Screenshot, Xvfb, await_some};
+
+const F1: u32 = 0xffbe;
+const F2: u32 = 0xffbf;
+const F12: u32 = 0xffc9;
+const ESCAPE: u32 = 0xff1b;
+const LOWER_C: u32 = 0x63;
+const LOWER_W: u32 = 0x77;
+const ONE: u32 = 0x31;
+
+/// Samples a pixel: the window has to be finished to be compared.
+const SPP: &str = "6";
+
+/// The binary with its window, and where it was started.
+struct Person {
+    display: Xvfb,
+    folder: TempDir,
+    process: Child,
+    window: Window,
+}
+
+impl Person {
+    /// Opens the Cornell box in a small window.
+    fn new(more: &[&str]) -> Self {
+        let display = Xvfb::start();
+        let folder = tempfile::tempdir().unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
+        command.args(["view", "cornell-box", "--size", "192x144", "--spp", SPP]).args(more).current_dir(folder.path());
+        command.env("DISPLAY", &display.name).env("WINIT_X11_SCALE_FACTOR", "1");
+        command.env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+        let file = |name: &str| std::fs::File::create(folder.path().join(name)).unwrap();
+        command.stdin(Stdio::null()).stdout(file("stdout")).stderr(file("stderr"));
+        let process = command.spawn().unwrap();
+        let window = await_some("the window", || display.window("Lucerna"));
+        display.focus(window);
+        Self { display, folder, process, window }
+    }
+
+    fn look(&self) -> Screenshot {
+        self.display.screenshot(self.window)
+    }
+
+    /// Waits for a look at the window that is as wanted. A look that never came is kept where it can be looked at.
+    fn see(&self, what: &str, wanted: impl Fn(&Screenshot) -> bool) -> Screenshot {
+        let kept = std::env::temp_dir().join("lucerna-window-test.png");
+        await_some(&format!("{what}; the window is in {}", kept.display()), || {
+            let look = self.look();
+            look.write(&kept);
+            wanted(&look).then_some(look)
+        })
+    }
+
+    /// Waits until the film has all its samples.
+    fn finish(&self) {
+        let done = format!("{SPP} of {SPP} spp");
+        await_some("the film to be finished", || self.display.title(self.window).contains(&done).then_some(()));
+    }
+
+    /// What the process wrote to stdout.
+    fn said(&self) -> String {
+        std::fs::read_to_string(self.folder.path().join("stdout")).unwrap()
+    }
+
+    /// The same picture without a window.
+    fn rendered(&self, size: &str, more: &[&str]) -> Screenshot {
+        let file = self.folder.path().join("rendered.png");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
+        command.args(["render", "cornell-box", "--quiet", "--spp", SPP, "--size", size, "-o"]).arg(&file).args(more);
+        let run = command.current_dir(self.folder.path()).output().unwrap();
+        assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+        Screenshot::read(&file)
+    }
+
+    /// Processor time of the process so far, in hundredths of a second, all threads together.
+    fn ticks(&self) -> u64 {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.process.id())).unwrap();
+        // The name, in parentheses, may hold anything.
+        let fields: Vec<&str> = stat[stat.rfind(')').unwrap() + 1..].split_whitespace().collect();
+        fields[11].parse::<u64>().unwrap() + fields[12].parse::<u64>().unwrap()
+    }
+}
+
+impl Drop for Person {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+/// The camera of a printed line: what is behind the name.
+fn camera_of(line: &str) -> &str {
+    line.trim().trim_start_matches("\"front\":").trim().trim_end_matches(',')
+}
+
+#[test]
+fn a_person_looks_moves_and_leaves() {
+    let mut person = Person::new(&[]);
+    person.finish();
+    let headless = person.rendered("192x144", &[]);
+    // Not up to noise: a film does not depend on how it was cut.
+    person.see("the picture of the headless render", |look| *look == headless);
+
+    stays_put(&person, &headless);
+
+    person.display.key(F1);
+    let bright = |look: &Screenshot| look.pixels.iter().filter(|pixel| pixel.iter().all(|code| *code > 180)).count();
+    // The lamp, which the table covers, is brighter than any letter.
+    person.see("the keys over the picture", |look| look.difference(&headless) > 10.0 && bright(look) > 100);
+    person.display.key(F1);
+    person.see("the picture without keys", |look| *look == headless);
+
+    person.display.key(F2);
+    person.see("the panel beside the picture", |look| look.difference(&headless) > 10.0);
+    // It looks at the film a last time a second after the one before.
+    std::thread::sleep(Duration::from_millis(1500));
+    let before = person.ticks();
+    std::thread::sleep(Duration::from_millis(1000));
+    let spent = person.ticks() - before;
+    assert!(spent <= 2, "the panel of a finished film took {spent} hundredths of a second");
+    person.display.key(F2);
+    person.see("the picture without the panel", |look| *look == headless);
+
+    orbits_and_resizes(&person, &headless);
+
+    person.display.key(ONE);
+    person.display.key(F12);
+    let saved = person.folder.path().join("result/cornell-box-1.png");
+    await_some("the saved picture", || (saved.exists() && saved.with_extension("exr").exists()).then_some(()));
+
+    person.display.key(ESCAPE);
+    let status = await_some("the end", || person.process.try_wait().unwrap());
+    let stderr = std::fs::read_to_string(person.folder.path().join("stderr")).unwrap();
+    assert_eq!(status.code(), Some(0), "{stderr}");
+    assert!(!stderr.contains("error"), "{stderr}");
+}
+
+/// A crop keeps its size and shape, with black beside it, whatever the window's.
+#[test]
+fn a_crop_is_letterboxed() {
+    let mut person = Person::new(&["-D", "film.crop=(48, 144, 24, 120)"]);
+    person.finish();
+    person.display.resize(person.window, 300, 200);
+    let headless = person.rendered("192x144", &["--crop", "48,144,24,120"]);
+    assert_eq!((headless.width, headless.height), (96, 96));
+    let look = person.see("a wider window", |look| look.width == 300 && look.pixels[100 * 300 + 150] != [0; 3]);
+    let pixel = |x: u32, y: u32| look.pixels[(y * 300 + x) as usize];
+    // 200 x 200 in the middle of it: the crop's pixels, each about twice as large.
+    for y in 0..200 {
+        assert_eq!((pixel(49, y), pixel(250, y)), ([0; 3], [0; 3]));
+        for x in 0..200 {
+            let [u, v] = [x, y].map(|at| (2 * at + 1) * 96 / 400);
+            assert_eq!(pixel(50 + x, y), headless.pixels[(v * 96 + u) as usize], "at {x}, {y}");
+        }
+    }
+    person.display.key(ESCAPE);
+    let status = await_some("the end", || person.process.try_wait().unwrap());
+    assert_eq!(status.code(), Some(0));
+}
+
+/// A finished film takes no processor time, and the window shows what it did.
+fn stays_put(person: &Person, headless: &Screenshot) {
+    std::thread::sleep(Duration::from_millis(300));
+    let before = person.ticks();
+    std::thread::sleep(Duration::from_millis(1500));
+    // A single frame would take more than the two hundredths that a clock tick at either end may add.
+    let spent = person.ticks() - before;
+    assert!(spent <= 2, "an idle window took {spent} hundredths of a second");
+    assert!(person.look() == *headless, "an idle window changed its picture");
+    // The pointer's motion is no reason to draw either.
+    for x in 20..60 {
+        person.display.point(x, 20);
+    }
+    std::thread::sleep(Duration::from_millis(300));
+    let spent = person.ticks() - before;
+    assert!(spent <= 4, "a pointer over an idle window took {spent} hundredths of a second");
+}
+
+/// After an orbit, a flight and another size, the picture is that of a headless render by the camera that was printed.
+fn orbits_and_resizes(person: &Person, headless: &Screenshot) {
+    let display = &person.display;
+    display.point(90, 70);
+    display.button(1, true);
+    for step in 1..=8 {
+        display.point(90 + 3 * step, 70 + step);
+        std::thread::sleep(Duration::from_millis(15));
+    }
+    display.button(1, false);
+    person.see("another view", |look| look.difference(headless) > 10.0);
+    display.hold(LOWER_W, true);
+    std::thread::sleep(Duration::from_millis(200));
+    display.hold(LOWER_W, false);
+    display.resize(person.window, 200, 120);
+    // Longer than it takes to come to rest and back to the whole size.
+    std::thread::sleep(Duration::from_millis(800));
+    person.finish();
+    display.key(LOWER_C);
+    let line = await_some("the camera", || person.said().lines().next().map(str::to_owned));
+    let define = format!("cameras.front={}", camera_of(&line));
+    assert_ne!(define, "cameras.front=");
+    let moved = person.rendered("200x120", &["-D", &define]);
+    assert!(moved.pixels.iter().filter(|pixel| **pixel != [0; 3]).count() > moved.pixels.len() / 4);
+    // Once the notice about the line is gone.
+    person.see("the headless render of the printed camera", |look| *look == moved);
+}
