@@ -30,6 +30,7 @@ mod scene;
 mod shader;
 mod shader_errors;
 mod shader_fuzz;
+mod sky;
 mod sort;
 mod statistics;
 mod support;
