@@ -180,6 +180,15 @@ fn draws_equal_the_f64_twin_and_what_a_hit_finds() {
     }
 }
 
+#[test]
+fn a_sky_too_dim_for_a_density_has_no_power() {
+    for (grey, power) in [(1e-37, true), (1e-40, false), (0.0, false)] {
+        let sky = SkyTable::new(UVec2::new(2, 1), &[Vec3::splat(grey), Vec3::ZERO], 1.0);
+        assert_eq!(sky.power > 0.0, power, "{grey:e}");
+        assert!(params_of(&sky).sky_density.is_finite());
+    }
+}
+
 /// Density times solid angle over an even grid of directions, as the kernel finds it.
 fn integral(library: Library, sky: &SkyTable) -> f64 {
     const SIDE: u32 = 512;
