@@ -3,6 +3,7 @@
 
 use glam::{DVec2, DVec3, UVec2};
 
+use super::bsdf::dielectric::Interface;
 use super::bsdf::{BsdfSample, Facing, Reflection};
 use super::connect::{Asked, LightSample, power_heuristic};
 use super::rng::{Source, sample_key};
@@ -11,8 +12,8 @@ use super::triangles::{HitF64, TriangleSet};
 use crate::layout::light::LightTable;
 use crate::layout::sky::SkyTable;
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT,
-    SLOT_LIGHT_POINT, SLOT_LOBE, SLOT_ROULETTE, SampleKey, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_DIRECTION,
+    SLOT_FILM, SLOT_LIGHT, SLOT_LIGHT_POINT, SLOT_LOBE, SLOT_ROULETTE, SampleKey, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -61,6 +62,7 @@ impl<'a> PathScene<'a> {
         let mut direction = camera_direction(params, pixel.as_dvec2() + self.sampler.sample_2d(key, SLOT_FILM));
         let mut throughput = DVec3::ONE;
         let mut pdf = 0.0;
+        let mut eta_scale = 1.0;
         let asked = self.asked(params);
         let mut traced = Traced::default();
         for bounce in 0..params.max_depth {
@@ -95,8 +97,9 @@ impl<'a> PathScene<'a> {
             }
             let Some(drawn) = self.scatter(material, &facing, key, bounce) else { break };
             throughput *= drawn.weight;
+            eta_scale /= squeeze(material, &facing, drawn.direction);
             if self.roulette && bounce >= ROULETTE_BOUNCE {
-                let survival = throughput.max_element().min(1.0);
+                let survival = (throughput.max_element() * eta_scale).min(1.0);
                 if self.sampler.sample_1d(key, bounce * DIMENSIONS_PER_BOUNCE + SLOT_ROULETTE) >= survival {
                     break;
                 }
@@ -170,6 +173,12 @@ impl<'a> PathScene<'a> {
 /// counts for the rest.
 fn weight_of_finding(pdf: f64, asking: Option<f64>) -> f64 {
     asking.filter(|_| pdf > 0.0).map_or(1.0, |asking| power_heuristic(pdf, asking))
+}
+
+/// What refraction multiplies radiance by in a direction, 1 where there is none.
+fn squeeze(material: &MaterialRecord, facing: &Facing, direction: DVec3) -> f64 {
+    let crosses = material.flags & MATERIAL_DIELECTRIC != 0 && direction.dot(facing.geometric) < 0.0;
+    if crosses { Interface::new(f64::from(material.ni), facing.from_behind).squeeze() } else { 1.0 }
 }
 
 /// A look at a light.
