@@ -84,6 +84,42 @@ fn glass_in_a_furnace_is_invisible() {
 }
 
 #[test]
+fn roulette_spares_paths_inside_glass() {
+    // Clear glass in walls of 1 that light comes from at the end: no path is dim, so that none may be ended, though radiance within
+    // is less than half of that outside.
+    let mut room = Room { roulette: true, ..Room::default() };
+    let wall = room.material(matte(Vec3::ONE, Vec3::ZERO));
+    room.walls([Some(wall); 6]);
+    let clear = room.material(glass(1.5));
+    let (low, side) = (Vec3::splat(-0.9), 0.8);
+    for axis in 0..3 {
+        let (e, f) = (side * Vec3::AXES[(axis + 1) % 3], side * Vec3::AXES[(axis + 2) % 3]);
+        room.quad(low, f, e, clear);
+        room.quad(low + side * Vec3::AXES[axis], e, f, clear);
+    }
+    let rays = |library: Library| {
+        let mut rig = Runtime::new(support::gpu(), library);
+        room.load(&mut rig);
+        let got = samples(&mut rig, &TraceParams { layers: 4, ..inside(&room, UVec2::splat(16), 24) });
+        got.iter().filter(|sample| sample.info < 24).count()
+    };
+    // A rounding below 1 ends one path in 2^22.
+    assert_eq!(rays(Library::shipped()), 0, "paths ended early");
+    let text = std::fs::read_to_string("shaders/passes/trace/path.wgsl").unwrap();
+    let wrong = text.replace("largest_of((*state).throughput) * (*state).eta_scale", "largest_of((*state).throughput)");
+    assert_ne!(text, wrong);
+    assert!(rays(Library::shipped().with("passes/trace/path", &wrong)) > 100, "no path was in the glass");
+}
+
+#[test]
+fn roulette_equals_the_f64_twin() {
+    for next_event in [false, true] {
+        let room = Room { roulette: true, next_event, ..Room::glass() };
+        against_twin(&room, Library::shipped(), &small(&room)).unwrap();
+    }
+}
+
+#[test]
 fn a_veil_lets_its_part_through() {
     let mut room = Room { environment: Vec3::new(1.0, 2.0, 4.0), ..Room::default() };
     let tf = Vec3::new(1.0, 0.5, 0.25);

@@ -1,5 +1,6 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
+mod alias;
 mod bench;
 mod bsdf;
 mod cli;
@@ -8,6 +9,7 @@ mod compile;
 mod display;
 mod edits;
 mod engine;
+mod environment;
 mod extend;
 mod film;
 mod fuzz;
@@ -15,6 +17,7 @@ mod glass;
 mod intersect;
 mod law;
 mod layout;
+mod light;
 mod metrics;
 mod morton;
 mod mtl;
@@ -31,6 +34,7 @@ mod scene;
 mod shader;
 mod shader_errors;
 mod shader_fuzz;
+mod sky;
 mod sort;
 mod statistics;
 mod support;

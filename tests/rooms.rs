@@ -7,6 +7,7 @@ use lucerna::cpu::tree;
 use lucerna::gpu::Runtime;
 use lucerna::layout::film::film_exponent;
 use lucerna::layout::light::LightTable;
+use lucerna::layout::sky::SkyTable;
 use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, Shading, TraceParams};
 use lucerna::layout::tree::{Triangle, root};
 use lucerna::passes::Recording;
@@ -20,6 +21,8 @@ pub struct Room {
     /// In scene order, or empty.
     pub shading: Vec<Shading>,
     pub environment: Vec3,
+    /// A picture of the sky, in place of the constant environment.
+    pub sky: Option<SkyTable>,
     pub roulette: bool,
     pub sampler: Source,
     /// Integrator `Path`: lights are asked directly.
@@ -150,8 +153,12 @@ impl Room {
         params.crop(UVec2::ZERO, size);
         params.fit_film(self.exponent());
         let table = self.lights();
-        let lighting =
-            Lighting { lights: table.lights.len() as u32, light_density: table.density, ..Lighting::default() };
+        let lighting = Lighting {
+            lights: table.lights.len() as u32,
+            light_density: table.density,
+            sky: self.sky.as_ref().map_or(UVec2::ZERO, |sky| sky.size),
+            sky_power: self.sky_power(),
+        };
         params.light(&lighting, 1.0);
         params
     }
@@ -164,9 +171,15 @@ impl Room {
         }
     }
 
+    /// Of the sky as it is asked directly.
+    fn sky_power(&self) -> f64 {
+        self.sky.as_ref().filter(|_| self.next_event).map_or(0.0, |sky| sky.power)
+    }
+
     /// Exponent of a film for this scene.
     pub fn exponent(&self) -> i32 {
-        film_exponent(trace::largest_emission(&self.materials, self.environment))
+        let brightest = self.environment.max(Vec3::splat(self.sky.as_ref().map_or(0.0, |sky| sky.brightest)));
+        film_exponent(trace::largest_emission(&self.materials, brightest))
     }
 
     pub fn features(&self) -> Vec<&'static str> {
@@ -174,13 +187,18 @@ impl Room {
         let (materials, environment, roulette) = (&self.materials[..], self.environment, self.roulette);
         let lights = !self.lights().lights.is_empty();
         let sobol = self.sampler == Source::Sobol;
-        trace::Needs { materials, environment, normals, roulette, lights, sobol, ..Default::default() }.features()
+        let (sky, sky_light) = (self.sky.is_some(), self.sky_power() > 0.0);
+        trace::Needs { materials, environment, sky, sky_light, normals, roulette, lights, sobol }.features()
     }
 
     /// Uploads the scene and its tree, and switches its features on.
     pub fn load(&self, rig: &mut Runtime) {
         let tree = tree::build(&self.triangles);
-        if self.next_event {
+        if let Some(sky) = &self.sky {
+            rig.upload("sky", &sky.cells).unwrap();
+            rig.upload("sky_columns", &sky.columns).unwrap();
+        }
+        if self.next_event && !self.lights().lights.is_empty() {
             rig.upload("lights", &self.lights().lights).unwrap();
         }
         rig.upload("leaves", &tree.leaves).unwrap();
@@ -199,6 +217,7 @@ impl Room {
         scene.roulette = self.roulette;
         scene.lights = self.next_event.then(|| self.lights());
         scene.sampler = self.sampler;
+        scene.sky = self.sky.as_ref();
         scene
     }
 }

@@ -2,7 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
+use super::alias::alias_pick;
+use super::sky::{SkySample, draw_sky, sky_arriving};
 use crate::layout::light::{LightRecord, LightTable};
+use crate::layout::sky::SkyTable;
 use crate::layout::trace::luminance;
 
 /// Light that arrives at a point from one drawn direction.
@@ -10,21 +13,63 @@ use crate::layout::trace::luminance;
 pub struct LightSample {
     /// Unit length.
     pub direction: DVec3,
-    /// To the point of the light, scene units.
+    /// To the point of the light, scene units; infinite for the sky.
     pub distance: f64,
-    /// By solid angle; 0 where nothing arrives.
+    /// By solid angle, of lights and sky together; 0 where nothing arrives.
     pub pdf: f64,
     pub radiance: DVec3,
-    /// Index of the light's triangle in scene order.
-    pub triangle: u32,
+    /// Index of the light's triangle in scene order; none for the sky.
+    pub triangle: Option<u32>,
+}
+
+/// What is asked for light: there are lights, or the sky has power.
+pub struct Asked<'a> {
+    pub lights: &'a LightTable,
+    /// None where it is not asked.
+    pub sky: Option<&'a SkyTable>,
+    /// Probability of asking one of the lights, and not the sky.
+    pub light_share: f64,
+}
+
+impl Asked<'_> {
+    /// Light at a position: `pick` chooses the light, `u` the point on it.
+    pub fn draw(&self, position: DVec3, pick: f64, u: DVec2) -> LightSample {
+        match self.sky {
+            Some(sky) if self.lights.lights.is_empty() || pick >= self.light_share => {
+                let SkySample { direction, pdf, radiance, .. } = draw_sky(sky, u);
+                let pdf = pdf * self.sky_share();
+                LightSample { direction, distance: f64::INFINITY, pdf, radiance, triangle: None }
+            }
+            _ => {
+                let drawn = draw_light(self.lights, position, pick / self.light_share, u);
+                LightSample { pdf: drawn.pdf * self.light_share, ..drawn }
+            }
+        }
+    }
+
+    /// The density with which a light is drawn in a direction that was found to meet it; none if the triangle is no light.
+    pub fn light_pdf(&self, triangle: u32, raw: DVec3, direction: DVec3, distance: f64) -> Option<f64> {
+        let lights = &self.lights.lights;
+        let at = lights.binary_search_by_key(&triangle, |light| light.triangle).ok()?;
+        let area_pdf = self.light_share * area_pdf(self.lights, &lights[at]);
+        Some(solid_angle_pdf(area_pdf, raw, direction, distance))
+    }
+
+    /// The density with which a direction that was found to meet the sky is drawn; none if that is not asked.
+    pub fn sky_pdf(&self, direction: DVec3) -> Option<f64> {
+        self.sky.map(|sky| self.sky_share() * sky_arriving(sky, direction).1)
+    }
+
+    fn sky_share(&self) -> f64 {
+        if self.lights.lights.is_empty() { 1.0 } else { 1.0 - self.light_share }
+    }
 }
 
 /// A light by its power, by one number, and a point of it, by two. There is at least one light.
-pub fn draw_light(table: &LightTable, position: DVec3, pick: f64, u: DVec2) -> LightSample {
+fn draw_light(table: &LightTable, position: DVec3, pick: f64, u: DVec2) -> LightSample {
     let lights = &table.lights;
-    let scaled = pick * lights.len() as f64;
-    let column = (scaled as usize).min(lights.len() - 1);
-    let own = scaled - (column as f64) < f64::from(lights[column].threshold);
+    let (column, rest) = alias_pick(pick, lights.len());
+    let own = rest < f64::from(lights[column].threshold);
     let light = &lights[if own { column } else { lights[column].other as usize }];
     let [a, b, c] = [light.a, light.b, light.c].map(|corner| corner.as_dvec3());
     let half = 0.5 * u.min_element();
@@ -40,7 +85,7 @@ pub fn draw_light(table: &LightTable, position: DVec3, pick: f64, u: DVec2) -> L
         distance,
         pdf: if lit { pdf } else { 0.0 },
         radiance: light.emission.as_dvec3(),
-        triangle: light.triangle,
+        triangle: Some(light.triangle),
     }
 }
 
@@ -49,14 +94,8 @@ fn area_pdf(table: &LightTable, light: &LightRecord) -> f64 {
 }
 
 /// The density by solid angle of a direction of unit length that meets a light of normal `raw`, of any length, at a distance.
-pub fn solid_angle_pdf(area_pdf: f64, raw: DVec3, direction: DVec3, distance: f64) -> f64 {
+fn solid_angle_pdf(area_pdf: f64, raw: DVec3, direction: DVec3, distance: f64) -> f64 {
     area_pdf * distance * distance / raw.normalize().dot(direction).abs().max(1e-12)
-}
-
-/// The density with which a light is drawn in a direction that was found to meet it; none if the triangle is no light.
-pub fn light_pdf(table: &LightTable, triangle: u32, raw: DVec3, direction: DVec3, distance: f64) -> Option<f64> {
-    let at = table.lights.binary_search_by_key(&triangle, |light| light.triangle).ok()?;
-    Some(solid_angle_pdf(area_pdf(table, &table.lights[at]), raw, direction, distance))
 }
 
 /// Weight of a direction drawn with density `own`, where another way draws it with density `other` (power heuristic of exponent

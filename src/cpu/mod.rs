@@ -1,6 +1,7 @@
 //! The twin of every pass on the CPU, by the same names; f64 where it is an oracle. And what is said of pictures: metrics
 //! and blocks.
 
+pub mod alias;
 pub mod blocks;
 pub mod bsdf;
 pub mod connect;
@@ -13,6 +14,7 @@ pub mod oracle;
 pub mod path;
 pub mod rng;
 pub mod rng_sobol;
+pub mod sky;
 pub mod sort;
 pub mod traverse;
 pub mod tree;

@@ -3,14 +3,17 @@
 
 use glam::{DVec2, DVec3, UVec2};
 
+use super::bsdf::dielectric::Interface;
 use super::bsdf::{BsdfSample, Facing, Reflection};
-use super::connect::{LightSample, draw_light, light_pdf, power_heuristic};
+use super::connect::{Asked, LightSample, power_heuristic};
 use super::rng::{Source, sample_key};
+use super::sky::sky_arriving;
 use super::triangles::{HitF64, TriangleSet};
 use crate::layout::light::LightTable;
+use crate::layout::sky::SkyTable;
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT,
-    SLOT_LIGHT_POINT, SLOT_LOBE, SLOT_ROULETTE, SampleKey, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_DIRECTION,
+    SLOT_FILM, SLOT_LIGHT, SLOT_LIGHT_POINT, SLOT_LOBE, SLOT_ROULETTE, SampleKey, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -26,6 +29,8 @@ pub struct PathScene<'a> {
     pub sampler: Source,
     /// The lights that are asked directly: integrator `Path`.
     pub lights: Option<LightTable>,
+    /// A picture of the sky, in place of the constant environment; asked as the lights are.
+    pub sky: Option<&'a SkyTable>,
 }
 
 /// One sample of one pixel.
@@ -46,6 +51,7 @@ impl<'a> PathScene<'a> {
             roulette: false,
             sampler: Source::Pcg,
             lights: None,
+            sky: None,
         }
     }
 
@@ -56,27 +62,34 @@ impl<'a> PathScene<'a> {
         let mut direction = camera_direction(params, pixel.as_dvec2() + self.sampler.sample_2d(key, SLOT_FILM));
         let mut throughput = DVec3::ONE;
         let mut pdf = 0.0;
+        let mut eta_scale = 1.0;
+        let asked = self.asked(params);
         let mut traced = Traced::default();
         for bounce in 0..params.max_depth {
             traced.rays += 1;
             // Hits are within 1e-15 of the scene's size, so this leaves out the surface the ray starts on, and it alone.
             let Some(hit) = self.triangles.closest(origin, direction, 1e-9) else {
-                traced.radiance += throughput * params.environment.as_dvec3();
+                let sky = self.sky.map_or(params.environment.as_dvec3(), |sky| sky_arriving(sky, direction).0);
+                let other = asked.as_ref().and_then(|asked| asked.sky_pdf(direction));
+                traced.radiance += throughput * sky * weight_of_finding(pdf, other);
                 break;
             };
             let material = &self.materials[hit.triangle.material as usize];
             let facing = self.facing(&hit, -direction);
             if !(facing.from_behind && material.flags & MATERIAL_ONE_SIDED != 0) {
-                let weight = self.weight_of_finding(pdf, &hit, direction);
+                let [a, b, c] = hit.triangle.corners;
+                let raw = (b - a).cross(c - a);
+                let pdf_of = |asked: &Asked| asked.light_pdf(hit.triangle.index, raw, direction, hit.t);
+                let weight = weight_of_finding(pdf, asked.as_ref().and_then(pdf_of));
                 traced.radiance += throughput * material.emission.as_dvec3() * weight;
             }
             if bounce + 1 == params.max_depth {
                 break;
             }
             let position = origin + hit.t * direction;
-            if let Some(light) =
-                self.connect(material, &facing, position, key, bounce).filter(|l| l.light != DVec3::ZERO)
-            {
+            let connection =
+                asked.as_ref().map(|asked| self.connect(asked, material, &facing, position, (key, bounce)));
+            if let Some(light) = connection.filter(|connection| connection.light != DVec3::ZERO) {
                 traced.rays += 1;
                 if self.sees(position, &light.from) {
                     traced.radiance += throughput * light.light;
@@ -84,8 +97,9 @@ impl<'a> PathScene<'a> {
             }
             let Some(drawn) = self.scatter(material, &facing, key, bounce) else { break };
             throughput *= drawn.weight;
+            eta_scale /= squeeze(material, &facing, drawn.direction);
             if self.roulette && bounce >= ROULETTE_BOUNCE {
-                let survival = throughput.max_element().min(1.0);
+                let survival = (throughput.max_element() * eta_scale).min(1.0);
                 if self.sampler.sample_1d(key, bounce * DIMENSIONS_PER_BOUNCE + SLOT_ROULETTE) >= survival {
                     break;
                 }
@@ -110,40 +124,37 @@ impl<'a> PathScene<'a> {
         Facing { wo, shading, geometric, from_behind }
     }
 
-    /// What a light that was hit along a direction of such a pdf counts for: asking it directly counts for the rest.
-    fn weight_of_finding(&self, pdf: f64, hit: &HitF64, direction: DVec3) -> f64 {
-        let [a, b, c] = hit.triangle.corners;
-        let asked = |lights| light_pdf(lights, hit.triangle.index, (b - a).cross(c - a), direction, hit.t);
-        match self.lights.as_ref().and_then(asked) {
-            Some(light_pdf) if pdf > 0.0 => power_heuristic(pdf, light_pdf),
-            _ => 1.0,
-        }
+    /// What is asked for light, if anything is.
+    fn asked(&self, params: &TraceParams) -> Option<Asked<'_>> {
+        let lights = self.lights.as_ref()?;
+        let sky = self.sky.filter(|sky| sky.power > 0.0);
+        let any = sky.is_some() || !lights.lights.is_empty();
+        any.then(|| Asked { lights, sky, light_share: f64::from(params.light_share) })
     }
 
     /// A light that is asked directly, and what it adds for a throughput of 1 if nothing is in the way.
     fn connect(
         &self,
+        asked: &Asked,
         material: &MaterialRecord,
         facing: &Facing,
         position: DVec3,
-        key: SampleKey,
-        bounce: u32,
-    ) -> Option<Connection> {
-        let lights = self.lights.as_ref().filter(|table| !table.lights.is_empty())?;
+        (key, bounce): (SampleKey, u32),
+    ) -> Connection {
         let first = bounce * DIMENSIONS_PER_BOUNCE;
         let pick = self.sampler.sample_1d(key, first + SLOT_LIGHT);
-        let from = draw_light(lights, position, pick, self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT));
+        let from = asked.draw(position, pick, self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT));
         let above = from.direction.dot(facing.shading) > 0.0 && from.direction.dot(facing.geometric) > 0.0;
         let at = Reflection::from(material).evaluate(facing.shading, facing.wo, from.direction);
         let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
         let share = if counts { power_heuristic(from.pdf, at.pdf) / from.pdf } else { 0.0 };
-        Some(Connection { from, light: at.value * from.radiance * share })
+        Connection { from, light: at.value * from.radiance * share }
     }
 
     /// Whether nothing is between a position and a light but the light itself.
     fn sees(&self, position: DVec3, light: &LightSample) -> bool {
         match self.triangles.closest(position, light.direction, 1e-9) {
-            Some(hit) => hit.triangle.index == light.triangle || hit.t >= light.distance * (1.0 - 2f64.powi(-16)),
+            Some(hit) => Some(hit.triangle.index) == light.triangle || hit.t >= light.distance * (1.0 - 2f64.powi(-16)),
             None => true,
         }
     }
@@ -156,6 +167,18 @@ impl<'a> PathScene<'a> {
         let drawn = Reflection::from(material).sample(facing, pick, direction);
         (drawn.weight.max_element() > 0.0).then_some(drawn)
     }
+}
+
+/// What light counts for that was hit along a direction of such a pdf, where asking for it has another, if any: asking
+/// counts for the rest.
+fn weight_of_finding(pdf: f64, asking: Option<f64>) -> f64 {
+    asking.filter(|_| pdf > 0.0).map_or(1.0, |asking| power_heuristic(pdf, asking))
+}
+
+/// What refraction multiplies radiance by in a direction, 1 where there is none.
+fn squeeze(material: &MaterialRecord, facing: &Facing, direction: DVec3) -> f64 {
+    let crosses = material.flags & MATERIAL_DIELECTRIC != 0 && direction.dot(facing.geometric) < 0.0;
+    if crosses { Interface::new(f64::from(material.ni), facing.from_behind).squeeze() } else { 1.0 }
 }
 
 /// A look at a light.

@@ -39,7 +39,8 @@ pub struct LightTable {
 }
 
 impl LightTable {
-    /// From triangles in scene order; those that emit nothing, or have no area, are left out.
+    /// From triangles in scene order; those that emit nothing, or have no area, are left out. Empty if all of them together are
+    /// so dim that the density is beyond f32: they are left to be hit.
     pub fn new(triangles: impl Iterator<Item = Triangle>, records: &[MaterialRecord]) -> Self {
         let (mut lights, mut powers) = (Vec::new(), Vec::new());
         for triangle in triangles {
@@ -56,8 +57,11 @@ impl LightTable {
         for (light, column) in lights.iter_mut().zip(alias_table(&powers)) {
             (light.threshold, light.other) = (column.threshold, column.other);
         }
-        let total: f64 = powers.iter().sum();
-        Self { lights, density: if total > 0.0 { (1.0 / total) as f32 } else { 0.0 } }
+        let density = (1.0 / powers.iter().sum::<f64>()) as f32;
+        match lights.is_empty() || !density.is_finite() {
+            true => Self::default(),
+            false => Self { lights, density },
+        }
     }
 }
 

@@ -51,7 +51,8 @@ pub static ALL: &[&StructLayout] = &[
 ];
 
 /// Every constant that WGSL can import from `package::gen`, module by module.
-pub static CONSTS: &[&[GpuConst]] = &[tree::CONSTS, ray::CONSTS, trace::CONSTS, film::CONSTS, sort::CONSTS];
+pub static CONSTS: &[&[GpuConst]] =
+    &[alias::CONSTS, tree::CONSTS, ray::CONSTS, trace::CONSTS, film::CONSTS, sort::CONSTS];
 
 /// A struct as both Rust and WGSL lay it out.
 #[derive(Debug)]

@@ -14,7 +14,8 @@ pub struct SkyTable {
     pub cells: Vec<Vec4>,
     /// A column a row of the picture, then a column a pixel, whose aliases are columns of the picture.
     pub columns: Vec<AliasColumn>,
-    /// Integral of the luminance over the sphere, by solid angle.
+    /// Integral of the luminance over the sphere, by solid angle; 0 where it is so little that 1 / power is beyond f32, so that no
+    /// direction can be drawn.
     pub power: f64,
     /// The largest channel of any pixel.
     pub brightest: f32,
@@ -38,7 +39,8 @@ impl SkyTable {
         columns.extend(alias_table(&rows));
         columns.extend(within);
         let brightest = cells.iter().map(|cell| cell.max_element()).fold(0.0, f32::max);
-        Self { size, cells, columns, power: rows.iter().sum(), brightest }
+        let power = Some(rows.iter().sum::<f64>()).filter(|power| ((1.0 / power) as f32).is_finite());
+        Self { size, cells, columns, power: power.unwrap_or(0.0), brightest }
     }
 }
 

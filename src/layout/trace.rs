@@ -74,7 +74,9 @@ gpu_struct! {
         pub fault_material: u32,
         /// Density by solid angle with which the direction was drawn; 0 where it could have been no other.
         pub pdf: f32,
-        pub pad: u32,
+        /// What undoes, for the chance to survive roulette, that radiance is squeezed in dense media: the index of refraction around
+        /// the path, squared.
+        pub eta_scale: f32,
     }
 
     /// Parameters of the trace kernel.

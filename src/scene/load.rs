@@ -158,8 +158,9 @@ impl Loader {
         match read_picture(&path) {
             Ok(picture) => {
                 if picture.mended > 0 {
+                    let pixels = if picture.mended == 1 { "pixel" } else { "pixels" };
                     let message = format!(
-                        "{} pixels of `{}` are negative, no number or above 1e6: they are black, or 1e6",
+                        "{} {pixels} of `{}` with a channel that is negative, no number or above 1e6: it is taken as 0, or as 1e6",
                         picture.mended,
                         path.display()
                     );

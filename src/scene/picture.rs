@@ -20,7 +20,7 @@ const BRIGHTEST: f32 = 1e6;
 #[derive(Debug)]
 pub struct PictureOfLight {
     pub map: EnvironmentMap,
-    /// Pixels that were negative or no number, and are black; or above 1e6, and are that.
+    /// Pixels with a channel that was negative or no number, and is 0; or above 1e6, and is that.
     pub mended: usize,
 }
 

@@ -21,6 +21,11 @@ fn interface_of(ni: f32, from_behind: bool) -> Interface {
     return Interface(select(1.0, ni, from_behind), select(ni, 1.0, from_behind), select(gap, -gap, from_behind));
 }
 
+// What radiance is multiplied by on its way through: it is squeezed into another cone (Veach 1997, 5.2).
+fn squeeze_of(at: Interface) -> f32 {
+    return (at.a / at.b) * (at.a / at.b);
+}
+
 // With x = a cos_i and y = b cos_t, y^2 - x^2 is the gap. Both amplitudes are written over their sums squared, so that no
 // difference of nearly equal numbers is left but at Brewster's angle, where the other amplitude rules.
 fn fresnel(at: Interface, cos_incident: f32) -> Fresnel {

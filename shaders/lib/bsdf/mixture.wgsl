@@ -7,7 +7,7 @@ import package::gen::{MaterialRecord};
 @if(ggx) import package::gen::{MATERIAL_GGX};
 @if(mirror) import package::gen::{MATERIAL_MIRROR};
 @if(glossy) import package::lib::math::{cos_power};
-@if(dielectric) import package::lib::bsdf::dielectric::{fresnel, interface_of, refracted};
+@if(dielectric) import package::lib::bsdf::dielectric::{fresnel, interface_of, refracted, squeeze_of};
 @if(ggx) import package::lib::bsdf::ggx::{ggx_evaluate, ggx_sample};
 import package::lib::bsdf::lambert::{lambert_pdf, lambert_value};
 @if(dielectric || glossy || mirror) import package::lib::bsdf::mirror::{reflected};
@@ -142,7 +142,7 @@ fn density_sample(m: MaterialRecord, facing: Facing, pick: f32, u: vec2<f32>) ->
 }
 
 // Reflected or refracted by Fresnel's probability, which leaves a weight of 1, but for the filter, and for radiance being
-// squeezed into or out of a narrower cone (Veach 1997, 5.2).
+// squeezed into or out of a narrower cone.
 @if(dielectric)
 fn dielectric_sample(m: MaterialRecord, facing: Facing, pick: f32) -> BsdfSample {
     let at = interface_of(m.ni, facing.from_behind != 0u);
@@ -153,6 +153,6 @@ fn dielectric_sample(m: MaterialRecord, facing: Facing, pick: f32) -> BsdfSample
     }
     let wi = refracted(at, facing.wo, facing.shading, split.cos_transmitted);
     let beyond = dot(wi, facing.shading) < 0.0 && dot(wi, facing.geometric) < 0.0;
-    let squeeze = (at.a / at.b) * (at.a / at.b);
+    let squeeze = squeeze_of(at);
     return BsdfSample(wi, 0.0, select(vec3<f32>(0.0), squeeze * m.tf, beyond));
 }

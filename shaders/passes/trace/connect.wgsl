@@ -2,6 +2,7 @@
 
 import package::gen::{TraceParams, NO_HIT};
 @if(lights) import package::gen::{LightRecord, MATERIAL_ONE_SIDED, MaterialRecord};
+@if(lights) import package::lib::alias::{alias_pick};
 @if(lights) import package::lib::intersect::{triangle_normal};
 @if(lights) import package::lib::light::{light_area_pdf, light_point};
 @if(lights) import package::lib::math::{largest_of};
@@ -39,13 +40,12 @@ fn light_pdf(params: TraceParams, material: MaterialRecord, raw: vec3<f32>, dire
 }
 
 // A triangle by its power, from one number. With n lights that leaves 24 - log2 n bits to choose between a column and its
-// alias: each light's share is off by 2^-24 n of itself at most, up or down by chance.
+// alias: the share of a column is off by 2^-25 n of itself at most, up or down by chance.
 @if(lights)
 fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>) -> LightSample {
-    let scaled = pick * f32(params.lights);
-    let column = min(u32(scaled), params.lights - 1u);
-    let own = scaled - f32(column) < lights[column].threshold;
-    let light = lights[select(lights[column].other, column, own)];
+    let drawn = alias_pick(pick, params.lights);
+    let own = drawn.rest < lights[drawn.column].threshold;
+    let light = lights[select(lights[drawn.column].other, drawn.column, own)];
     let point = light_point(light, u);
     let raw = triangle_normal(light.a, light.b, light.c);
     let offset = point - position;

@@ -8,6 +8,8 @@ import package::gen::{Hit, Ray, Triangle, NO_HIT, T_FAR};
 import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
 import package::gen::{SLOT_DIRECTION, SLOT_FILM, SLOT_LOBE};
 @if(roulette) import package::gen::{ROULETTE_BOUNCE, SLOT_ROULETTE};
+@if(dielectric && roulette) import package::gen::{MATERIAL_DIELECTRIC};
+@if(dielectric && roulette) import package::lib::bsdf::dielectric::{interface_of, squeeze_of};
 @if(lights || sky_light) import package::gen::{SLOT_LIGHT, SLOT_LIGHT_POINT};
 @if(normals) import package::gen::{Shading};
 import package::lib::bsdf::mixture::{Facing, mixture_sample};
@@ -78,6 +80,7 @@ fn begin(pixel: vec2<u32>, sample: u32) -> PathState {
     state.direction = camera_direction(params, vec2<f32>(pixel) + sample_2d(state.key, SLOT_FILM));
     state.cone_spread = params.cone_spread;
     state.throughput = vec3<f32>(1.0);
+    state.eta_scale = 1.0;
     return state;
 }
 
@@ -91,11 +94,18 @@ fn extend(state: ptr<function, PathState>, ray: Ray, looking: bool, except: u32)
     return traverse(ray, params.root, looking, except);
 }
 
-// Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel.
+// Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel, as it would be
+// outside of glass. What refraction took on the way in, it gives back on the way out: such a path is not dim.
 @if(roulette)
-fn survive(state: ptr<function, PathState>) -> bool {
+fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f32>) -> bool {
+    @if(dielectric) {
+        let crosses = dot(direction, surface.facing.geometric) < 0.0;
+        if (crosses && (surface.material.flags & MATERIAL_DIELECTRIC) != 0u) {
+            (*state).eta_scale /= squeeze_of(interface_of(surface.material.ni, surface.facing.from_behind != 0u));
+        }
+    }
     let played = (*state).bounce >= ROULETTE_BOUNCE;
-    let survival = select(1.0, min(1.0, largest_of((*state).throughput)), played);
+    let survival = select(1.0, min(1.0, largest_of((*state).throughput) * (*state).eta_scale), played);
     (*state).throughput /= survival;
     return sample_1d((*state).key, dimension(state, SLOT_ROULETTE)) < survival;
 }
@@ -112,7 +122,7 @@ fn scatter(state: ptr<function, PathState>, surface: Surface) -> bool {
     var alive = check(state, (*state).throughput, LARGEST_F32, surface.index);
     alive = alive && largest_of((*state).throughput) > 0.0;
     @if(roulette) {
-        alive = alive && survive(state);
+        alive = alive && survive(state, surface, drawn.direction);
     }
     if (alive) {
         (*state).origin = offset_ray_origin(surface.position, surface.error, surface.facing.geometric, drawn.direction);

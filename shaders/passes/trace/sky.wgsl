@@ -1,6 +1,7 @@
 // The environment's pixels, and a direction drawn by their radiance.
 
 @if(sky_light) import package::gen::{AliasColumn};
+@if(sky_light) import package::lib::alias::{alias_pick};
 import package::lib::colour::{luminance};
 import package::lib::sky::{sky_cell};
 @if(sky_light) import package::lib::sky::{sky_direction};
@@ -36,15 +37,12 @@ struct ColumnSample {
 
 @if(sky_light)
 fn draw_column(first: u32, count: u32, u: f32) -> ColumnSample {
-    let scaled = u * f32(count);
-    let index = min(u32(scaled), count - 1u);
-    // Rounding can reach the next column.
-    let rest = min(scaled - f32(index), 0x1.fffffep-1);
-    let column = sky_columns[first + index];
-    if (rest < column.threshold) {
-        return ColumnSample(index, rest / column.threshold);
+    let pick = alias_pick(u, count);
+    let column = sky_columns[first + pick.column];
+    if (pick.rest < column.threshold) {
+        return ColumnSample(pick.column, pick.rest / column.threshold);
     }
-    return ColumnSample(column.other, (rest - column.threshold) / (1.0 - column.threshold));
+    return ColumnSample(column.other, (pick.rest - column.threshold) / (1.0 - column.threshold));
 }
 
 @if(sky_light)

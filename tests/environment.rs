@@ -1,0 +1,110 @@
+//! Pictures of the sky from files: what is no radiance is mended and told, and never reaches the film.
+
+use std::path::Path;
+use std::time::Duration;
+
+use exr::prelude::write_rgb_file;
+use glam::Vec3;
+use lucerna::Engine;
+use lucerna::components::{Environment, Integrator};
+use lucerna::scene::{self, Loaded, Severity};
+use lucerna::shader::Library;
+use tempfile::TempDir;
+
+use crate::support;
+
+const OBJ: &str = "mtllib a.mtl\nusemtl grey\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+const MTL: &str = "newmtl grey\nKd 0.6 0.6 0.6\n";
+const SIDES: (usize, usize) = (8, 4);
+
+/// A folder with a scene whose sky is a picture of these pixels, and black where there are no more.
+fn folder(strength: &str, pixels: &[(f32, f32, f32)]) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!(
+        "(\n    models: [(path: \"a.obj\")],\n    film: (size: (24, 16)),\n    render: (spp: 16, max_depth: 3),\n    \
+         environment: Map(path: \"sky.exr\", strength: {strength}),\n)\n"
+    );
+    for (file, text) in [("a.ron", scene.as_str()), ("a.obj", OBJ), ("a.mtl", MTL)] {
+        std::fs::write(folder.path().join(file), text).unwrap();
+    }
+    let pixel = |x: usize, y: usize| pixels.get(y * SIDES.0 + x).copied().unwrap_or_default();
+    write_rgb_file(folder.path().join("sky.exr"), SIDES.0, SIDES.1, pixel).unwrap();
+    folder
+}
+
+fn load(folder: &Path) -> Loaded {
+    scene::load(&folder.join("a.ron"), &[]).unwrap_or_else(|error| panic!("{error:?}"))
+}
+
+/// The mean of the film, which has no bad sample.
+fn rendered(loaded: &Loaded, integrator: Integrator) -> Vec3 {
+    let mut description = loaded.description.clone();
+    description.render.integrator = integrator;
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &description).unwrap();
+    while !engine.step(Duration::from_secs(1)).unwrap().finished {}
+    let film = engine.film().unwrap();
+    let report = engine.report().unwrap();
+    assert_eq!(report.bad_samples, 0, "{integrator:?}: {:?}", report.bad_log);
+    film.rgb.iter().map(|rgb| Vec3::from(*rgb)).sum::<Vec3>() / film.rgb.len() as f32
+}
+
+const WRONG: [(f32, f32, f32); 8] = [
+    (f32::NAN, 1.0, 1.0),
+    (1.0, f32::INFINITY, 1.0),
+    (1.0, 1.0, f32::NEG_INFINITY),
+    (-1.0, 2.0, 3.0),
+    (1e6, 1.0, 1e7),
+    (f32::MAX, f32::MIN, f32::NAN),
+    (-1e-30, 0.5, 0.5),
+    (-f32::NAN, -f32::NAN, -f32::NAN),
+];
+
+#[test]
+fn texels_that_are_no_radiance_are_mended_with_a_warning() {
+    for at in 0..WRONG.len() {
+        let mut pixels = [(0.25, 0.5, 0.75); SIDES.0 * SIDES.1];
+        pixels[at] = WRONG[at];
+        let folder = folder("1", &pixels);
+        let loaded = load(folder.path());
+        let [warning] = &loaded.warnings[..] else { panic!("{:?}: not one warning: {:?}", WRONG[at], loaded.warnings) };
+        assert_eq!((warning.severity, warning.line, warning.column), (Severity::Warning, 5, 28));
+        let text = warning.to_string();
+        assert!(text.contains("a.ron:5:28") && text.contains("1 pixel of") && text.contains("sky.exr"), "{text}");
+        let Some(Environment::Map { image, .. }) = &loaded.description.environment else { panic!("no picture") };
+        let (r, g, b) = WRONG[at];
+        let right = [r, g, b].map(|c| if c.is_nan() || c < 0.0 { 0.0 } else { c.min(1e6) });
+        assert_eq!(image.pixels[at].to_array(), right);
+        assert_eq!(image.pixels[SIDES.0 + at].to_array(), [0.25, 0.5, 0.75], "a good pixel was changed");
+        for integrator in [Integrator::Path, Integrator::Bsdf] {
+            assert!(rendered(&loaded, integrator).min_element() > 0.0);
+        }
+    }
+}
+
+#[test]
+fn all_that_is_wrong_is_one_warning() {
+    let folder = folder("1", &WRONG);
+    let loaded = load(folder.path());
+    assert_eq!(loaded.warnings.len(), 1);
+    assert!(loaded.warnings[0].message.starts_with("8 pixels of"), "{}", loaded.warnings[0].message);
+    assert!(rendered(&loaded, Integrator::Path).is_finite());
+    // A picture that is right has none.
+    let good = self::folder("1", &[(1.0, 2.0, 3.0), (0.0, 1e6, 1e-40), (-0.0, 0.0, 0.0)]);
+    assert!(load(good.path()).warnings.is_empty());
+}
+
+#[test]
+fn a_sky_of_any_strength_has_no_bad_samples() {
+    let pixels = [(1.0, 0.5, 0.25), (0.0, 0.0, 0.0), (1e6, 1e6, 1e6), (1e-40, 0.0, 1e-30), (-0.0, 1e-3, 0.0)];
+    for strength in ["1e6", "1", "1e-6", "1e-30", "1e-38", "1e-42", "1e-60", "0"] {
+        let folder = folder(strength, &pixels);
+        let loaded = load(folder.path());
+        for integrator in [Integrator::Path, Integrator::Bsdf] {
+            let mean = rendered(&loaded, integrator);
+            assert!(mean.is_finite(), "strength {strength}: {mean}");
+        }
+    }
+    // Nothing but what is almost black.
+    let folder = folder("1e-6", &[(1e-33, 0.0, 0.0), (0.0, 1e-34, 0.0)]);
+    rendered(&load(folder.path()), Integrator::Path);
+}

@@ -1,0 +1,37 @@
+//! A sample is a function of seed, pixel and number alone.
+
+use glam::UVec2;
+use lucerna::layout::trace::TraceParams;
+
+use crate::rooms::Room;
+use crate::support;
+
+use super::samples;
+
+#[test]
+fn samples_do_not_depend_on_batch_or_crop() {
+    let room = Room { roulette: true, ..Room::cornell() };
+    let mut rig = support::rig();
+    room.load(&mut rig);
+    let params = TraceParams { layers: 6, ..room.params(UVec2::new(21, 13)) };
+    let whole = samples(&mut rig, &params);
+    let pixels = (params.window_width * params.window_height) as usize;
+    assert!(whole == samples(&mut rig, &params), "the same seed gave other samples");
+    assert!(whole != samples(&mut rig, &TraceParams { seed: 2, ..params }), "another seed gave the same samples");
+    for (first, layers) in [(0u32, 1u32), (1, 2), (3, 3)] {
+        let part = samples(&mut rig, &TraceParams { first_sample: first, layers, ..params });
+        assert!(part == whole[first as usize * pixels..][..layers as usize * pixels], "a cut at {first}");
+    }
+    for (min, max) in [((0, 0), (1, 1)), ((5, 3), (16, 12)), ((20, 12), (21, 13))] {
+        let (min, max) = (UVec2::from(min), UVec2::from(max));
+        let mut cropped = params;
+        cropped.crop(min, max);
+        let size = max - min;
+        for (i, sample) in samples(&mut rig, &cropped).into_iter().enumerate() {
+            let i = i as u32;
+            let (layer, x, y) = (i / (size.x * size.y), i % size.x, i / size.x % size.y);
+            let at = (layer * params.window_height + y + min.y) * params.window_width + x + min.x;
+            assert_eq!(sample, whole[at as usize], "crop {min} to {max}, pixel {x}, {y}, layer {layer}");
+        }
+    }
+}
