@@ -118,6 +118,20 @@ fn a_stack_that_overflows_loses_nothing() {
     }
 }
 
+#[test]
+fn a_processor_walks_as_a_gpu_does() {
+    let (mut gpu, mut processor) = (Tracer::new(), Tracer::on_software());
+    for (name, triangles) in hard_scenes() {
+        let rays = hard_rays(&triangles, ray_count() / 5);
+        let tree = build(&triangles, Cut::Median);
+        for tracer in [&mut gpu, &mut processor] {
+            tracer.load(&tree);
+        }
+        assert!(gpu.extend(&rays) == processor.extend(&rays), "{name}: other hits, or as many in other steps");
+        assert_eq!(gpu.occluded(&rays), processor.occluded(&rays), "{name}");
+    }
+}
+
 /// From its deep end, a chain's other children all wait on the stack; what misses every triangle visits them all.
 #[test]
 fn a_chain_deeper_than_the_stack_is_walked_to_its_end() {

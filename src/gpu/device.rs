@@ -172,6 +172,11 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
+    /// What shaders may know of the device, as features that they are linked with.
+    pub fn shader_features(&self) -> &'static [&'static str] {
+        if self.is_software() { &["software"] } else { &[] }
+    }
+
     /// Waits until all that was submitted is done.
     pub fn wait(&self) -> Result<(), GpuError> {
         let polled = self.device.poll(wgpu::PollType::wait_indefinitely());

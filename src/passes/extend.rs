@@ -10,8 +10,8 @@ pub static EXTEND: Pass = Pass {
     module: "passes/trace/extend",
     entry: "extend",
     bindings: &[
-        Binding::read("nodes", "array<Node>"),
-        Binding::read("leaves", "array<Triangle>"),
+        Binding::read("nodes", "array<vec4<u32>>"),
+        Binding::read("leaves", "array<vec4<u32>>"),
         Binding::params("ExtendParams"),
         Binding::read("rays", "array<Ray>"),
         Binding::write("hits", "array<Hit>"),
@@ -25,8 +25,8 @@ pub static OCCLUDED: Pass = Pass {
     module: "passes/trace/occluded",
     entry: "occluded",
     bindings: &[
-        Binding::read("nodes", "array<Node>"),
-        Binding::read("leaves", "array<Triangle>"),
+        Binding::read("nodes", "array<vec4<u32>>"),
+        Binding::read("leaves", "array<vec4<u32>>"),
         Binding::params("ExtendParams"),
         Binding::read("rays", "array<Ray>"),
         Binding::write("occlusion", "array<u32>"),

@@ -14,8 +14,8 @@ pub static PATH: Pass = Pass {
     module: "passes/trace/path",
     entry: "path",
     bindings: &[
-        Binding::read("nodes", "array<Node>"),
-        Binding::read("leaves", "array<Triangle>"),
+        Binding::read("nodes", "array<vec4<u32>>"),
+        Binding::read("leaves", "array<vec4<u32>>"),
         Binding::params("TraceParams"),
         Binding::read("materials", "array<MaterialRecord>"),
         Binding::write("radiance", "array<RadianceSample>"),

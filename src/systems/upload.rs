@@ -103,7 +103,8 @@ fn reserve_film(
     for (name, bytes) in film::buffers(pixels) {
         device.0.reserve(name, bytes)?;
     }
-    let features: Vec<&String> = scene.features.iter().collect();
+    let of_device = device.0.gpu().shader_features().iter().copied();
+    let features: Vec<&str> = scene.features.iter().map(String::as_str).chain(of_device).collect();
     device.0.set_features(&features);
     Ok(())
 }

@@ -33,6 +33,8 @@ fn a_scene_can_ask_for_every_feature_that_the_kernel_names() {
     for sky_light in [false, true] {
         asked.extend(Needs { sky: true, sky_light, ..Needs::default() }.features());
     }
+    // Of the device, not of the scene.
+    asked.insert("software");
     assert_eq!(Vec::from_iter(asked), Vec::from_iter(named));
 }
 

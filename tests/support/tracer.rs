@@ -13,7 +13,7 @@ const BRUTE_WGSL: &str = "
 import package::gen::{ExtendParams, Hit, Ray, LEAF_BIT, NO_HIT, NO_ROOT};
 import package::lib::intersect::{prepare_query};
 import package::passes::trace::leaf::{test_leaf};
-import package::passes::trace::scene::{nodes, scene_extent};
+import package::passes::trace::scene::{load_node, scene_extent};
 
 @group(0) @binding(2) var<storage, read> params: ExtendParams;
 @group(0) @binding(3) var<storage, read> rays: array<Ray>;
@@ -32,7 +32,7 @@ fn extend_brute(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups
         let query = prepare_query(ray, scene_extent(params.root));
         var count = 1u;
         if params.root < LEAF_BIT {
-            count = nodes[params.root].leaves;
+            count = load_node(params.root).leaves;
         }
         for (var leaf = 0u; leaf < count; leaf += 1u) {
             test_leaf(query, leaf, NO_HIT, &hit);
@@ -95,6 +95,13 @@ impl Tracer {
     fn with(library: Library) -> Self {
         let library = library.with("passes/trace/extend_brute", BRUTE_WGSL);
         Self { rig: Runtime::new(super::gpu(), library), root: 0 }
+    }
+
+    /// As on a device that is the processor in disguise, whatever this one is.
+    pub fn on_software() -> Self {
+        let mut tracer = Self::new();
+        tracer.rig.set_features(&["software"]);
+        tracer
     }
 
     /// A traversal whose stack holds `size` entries.

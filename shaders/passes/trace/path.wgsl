@@ -24,7 +24,7 @@ import package::lib::rng::{sample_1d, sample_2d};
 @if(normals) import package::lib::normals::{interpolate_normal};
 @if(lights || sky_light) import package::passes::trace::connect::{LightSample, draw_light};
 @if(lights) import package::passes::trace::connect::{light_pdf};
-import package::passes::trace::scene::{leaves};
+import package::passes::trace::scene::{load_leaf, scene_extent};
 @if(sky || sky_light) import package::passes::trace::sky::{sky_radiance};
 @if(sky_light) import package::passes::trace::sky::{sky_pdf};
 import package::passes::trace::traverse::{traverse};
@@ -89,9 +89,9 @@ fn segment_ray(state: PathState) -> Ray {
 }
 
 // The ray of a path: a segment of it, or a look at a light.
-fn extend(state: ptr<function, PathState>, ray: Ray, looking: bool, except: u32) -> Hit {
+fn extend(state: ptr<function, PathState>, ray: Ray, extent: f32, looking: bool, except: u32) -> Hit {
     (*state).rays += 1u;
-    return traverse(ray, params.root, looking, except);
+    return traverse(ray, params.root, extent, looking, except);
 }
 
 // Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel, as it would be
@@ -225,7 +225,7 @@ struct Shaded {
 fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
     let missed = hit.triangle == NO_HIT;
     // Of a ray that missed: leaf 0, not used.
-    let triangle = leaves[hit.leaf];
+    let triangle = load_leaf(hit.leaf);
     let material = materials[triangle.material];
     let raw = triangle_normal(triangle.a, triangle.b, triangle.c);
     let light = arriving(state, hit, triangle, material, raw);
@@ -258,6 +258,7 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
     if (id.x >= params.window_width || id.y >= params.window_height || id.z >= params.layers) {
         return;
     }
+    let extent = scene_extent(params.root);
     var state = begin(id.xy + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
     @if(lights || sky_light) {
         // Segments and looks at lights take turns in one loop, so that the walk through the scene is compiled once.
@@ -266,7 +267,7 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
         var alive = true;
         var connection: Connection;
         for (var i = 0u; i < 2u * params.max_depth; i++) {
-            let hit = extend(&state, ray, looking, select(NO_HIT, connection.triangle, looking));
+            let hit = extend(&state, ray, extent, looking, select(NO_HIT, connection.triangle, looking));
             if (looking) {
                 looking = false;
                 if (hit.triangle == NO_HIT) {
@@ -289,7 +290,7 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     @if(!lights && !sky_light) {
         for (var segment = 0u; segment < params.max_depth; segment++) {
-            let hit = extend(&state, segment_ray(state), false, NO_HIT);
+            let hit = extend(&state, segment_ray(state), extent, false, NO_HIT);
             if (!shade(&state, hit).alive) {
                 break;
             }

@@ -13,7 +13,7 @@ import package::gen::{Hit, Node, Ray, LEAF_BIT, MAX_STEPS, NO_HIT, NO_ROOT};
 import package::lib::intersect::{Query, prepare_query, FAR_GROWTH};
 import package::lib::traverse_config::{STACK_SIZE, VISITS_PER_LEAF};
 import package::passes::trace::leaf::{test_leaf};
-import package::passes::trace::scene::{nodes, scene_extent};
+import package::passes::trace::scene::{load_node, scene_extent};
 
 // Where the ray enters and leaves the boxes of a node's two children.
 struct ChildIntervals {
@@ -40,111 +40,105 @@ fn interval_passes(near: f32, far: f32, t_min: f32, t: f32) -> bool {
     return near <= min(far, t) && far >= t_min;
 }
 
-// The next node of the walk after everything below `last`, or NO_ROOT.
-fn climb(query: Query, last: u32, hit: ptr<function, Hit>) -> u32 {
-    var child = last;
-    while (*hit).steps < MAX_STEPS {
-        let parent = nodes[child].parent;
-        if parent == NO_ROOT {
-            break;
-        }
-        (*hit).steps += 1u;
-        let node = nodes[parent];
-        let at = child_intervals(query, node);
-        let from_left = node.left == child;
-        if from_left == (at.near_left <= at.near_right) {
-            let other = select(node.left, node.right, from_left);
-            let near = select(at.near_left, at.near_right, from_left);
-            let far = select(at.far_left, at.far_right, from_left);
-            if other < LEAF_BIT && interval_passes(near, far, query.t_min, (*hit).t) {
-                return other;
-            }
-        }
-        child = parent;
-    }
-    return NO_ROOT;
-}
-
-// What is to do after a look at a node's children; NO_ROOT where there is nothing.
-struct Visit {
-    // The node to visit next.
+// Where a walk is.
+struct Walk {
+    // The node to look at next, or NO_ROOT: then one of the stack, or the way up.
     next: u32,
-    // The farther node, if both children are to be visited.
-    later: u32,
+    // The node looked at last, and the one above it.
+    last: u32,
+    parent: u32,
     // Leaves to test, nearer first.
     first_leaf: u32,
     second_leaf: u32,
+    // A node for the stack.
+    later: u32,
 }
 
-fn visit_node(query: Query, index: u32, t: f32) -> Visit {
-    let node = nodes[index];
+// A look at the children of a node: what to enter, what to test. Where the walk climbs, `below` is the child it comes from; what
+// was near is done then, and of what is far a leaf. Else `below` is NO_ROOT.
+fn look_at(query: Query, index: u32, below: u32, t: f32) -> Walk {
+    let node = load_node(index);
     let at = child_intervals(query, node);
     let left_first = at.near_left <= at.near_right;
     let left_passes = interval_passes(at.near_left, at.far_left, query.t_min, t);
     let right_passes = interval_passes(at.near_right, at.far_right, query.t_min, t);
-    let near_passes = select(right_passes, left_passes, left_first);
-    let far_passes = select(left_passes, right_passes, left_first);
     let near_child = select(node.right, node.left, left_first);
     let far_child = select(node.left, node.right, left_first);
+    let climbs = below != NO_ROOT;
+    let far_is_done = climbs && (below != near_child || far_child >= LEAF_BIT);
+    let near_passes = select(right_passes, left_passes, left_first) && !climbs;
+    let far_passes = select(left_passes, right_passes, left_first) && !far_is_done;
     let enter_near = near_passes && near_child < LEAF_BIT;
     let enter_far = far_passes && far_child < LEAF_BIT;
     let test_near = near_passes && near_child >= LEAF_BIT;
     let test_far = far_passes && far_child >= LEAF_BIT;
-    return Visit(
+    return Walk(
         select(select(NO_ROOT, far_child, enter_far), near_child, enter_near),
-        select(NO_ROOT, far_child, enter_near && enter_far),
+        index,
+        node.parent,
         select(select(NO_ROOT, far_child, test_far), near_child, test_near),
         select(NO_ROOT, far_child, test_near && test_far),
+        select(NO_ROOT, far_child, enter_near && enter_far),
     );
 }
 
-// Leaves are tested as soon as their parent is visited, nearer first, and only nodes wait on the stack. With `any` the
-// walk ends at its first hit.
-// The hit of least (t, triangle), or, where `any`, some hit. Triangle `except` is passed through.
-fn traverse(ray: Ray, root: u32, any: bool, except: u32) -> Hit {
+// The hit of least (t, triangle), or, where `any`, some hit: the walk ends at its first. Triangle `except` is passed through.
+// `extent` is that of scene_extent(). Leaves are tested as soon as their parent is visited, nearer first, and only nodes
+// wait on the stack.
+//
+// Both loops are left at their ends, and a step up is a round like any other: lavapipe runs a body to its end for the lanes
+// that left in its middle, and what stands under an `if`, or in a loop there, even for none.
+fn traverse(ray: Ray, root: u32, extent: f32, any: bool, except: u32) -> Hit {
     var hit = Hit(ray.t_max, NO_HIT, 0u, 0.0, 0.0, 0u);
-    if root == NO_ROOT || all(ray.direction == vec3(0.0)) {
-        return hit;
-    }
-    let query = prepare_query(ray, scene_extent(root));
+    let query = prepare_query(ray, extent);
     var stack: array<u32, STACK_SIZE>;
     // Entries pushed and not popped, and how many of them, from the oldest, were forgotten.
     var top = 0u;
     var bottom = 0u;
-    var last = root;
-    var visit = Visit(root, NO_ROOT, NO_ROOT, NO_ROOT);
-    if root >= LEAF_BIT {
-        visit = Visit(NO_ROOT, NO_ROOT, root, NO_ROOT);
+    var walking = root != NO_ROOT && !all(ray.direction == vec3(0.0));
+    var walk = Walk(root, NO_ROOT, NO_ROOT, NO_ROOT, NO_ROOT, NO_ROOT);
+    if walking && root >= LEAF_BIT {
+        walk.first_leaf = root;
+        walk.next = NO_ROOT;
     }
-    var walking = true;
-    while walking && hit.steps < MAX_STEPS {
-        for (var i = 0u; i < VISITS_PER_LEAF && visit.first_leaf == NO_ROOT; i += 1u) {
-            if visit.next == NO_ROOT {
-                if top != bottom {
-                    top -= 1u;
-                    visit.next = stack[top % STACK_SIZE];
-                } else if bottom != 0u {
-                    visit.next = climb(query, last, &hit);
+    loop {
+        var visits = 0u;
+        loop {
+            visits += 1u;
+            if walking && walk.first_leaf == NO_ROOT {
+                var below = NO_ROOT;
+                if walk.next == NO_ROOT {
+                    if top != bottom {
+                        top -= 1u;
+                        walk.next = stack[top % STACK_SIZE];
+                    } else if bottom != 0u {
+                        below = walk.last;
+                        walk.next = walk.parent;
+                    }
                 }
-                if visit.next == NO_ROOT {
-                    walking = false;
-                    break;
+                walking = walk.next != NO_ROOT && hit.steps < MAX_STEPS;
+                if walking {
+                    hit.steps += 1u;
+                    walk = look_at(query, walk.next, below, hit.t);
+                    if walk.later != NO_ROOT {
+                        stack[top % STACK_SIZE] = walk.later;
+                        top += 1u;
+                        bottom = max(bottom, max(top, STACK_SIZE) - STACK_SIZE);
+                    }
                 }
             }
-            hit.steps += 1u;
-            last = visit.next;
-            visit = visit_node(query, last, hit.t);
-            if visit.later != NO_ROOT {
-                stack[top % STACK_SIZE] = visit.later;
-                top += 1u;
-                bottom = max(bottom, max(top, STACK_SIZE) - STACK_SIZE);
+            continuing {
+                break if visits == VISITS_PER_LEAF || !walking || walk.first_leaf != NO_ROOT;
             }
         }
-        if visit.first_leaf != NO_ROOT {
-            test_leaf(query, visit.first_leaf & ~LEAF_BIT, except, &hit);
-            visit.first_leaf = visit.second_leaf;
-            visit.second_leaf = NO_ROOT;
+        if walk.first_leaf != NO_ROOT {
+            test_leaf(query, walk.first_leaf & ~LEAF_BIT, except, &hit);
+            walk.first_leaf = walk.second_leaf;
+            walk.second_leaf = NO_ROOT;
             walking = !(any && hit.triangle != NO_HIT);
+        }
+        continuing {
+            break if !walking;
         }
     }
     return hit;
@@ -152,10 +146,10 @@ fn traverse(ray: Ray, root: u32, any: bool, except: u32) -> Hit {
 
 // The hit of least (t, triangle).
 fn closest_hit(ray: Ray, root: u32) -> Hit {
-    return traverse(ray, root, false, NO_HIT);
+    return traverse(ray, root, scene_extent(root), false, NO_HIT);
 }
 
 // Whether anything lies between the ray's ends.
 fn any_hit(ray: Ray, root: u32) -> bool {
-    return traverse(ray, root, true, NO_HIT).triangle != NO_HIT;
+    return traverse(ray, root, scene_extent(root), true, NO_HIT).triangle != NO_HIT;
 }

@@ -37,6 +37,7 @@ fn scene(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Vec<Case>, BenchError>
     let side = if gpu.is_software() { 256 } else { 2048 };
     let mut rig = Runtime::new(gpu.clone(), Library::shipped());
     let triangles = spheres(count, SEED);
+    rig.set_features(gpu.shader_features());
     rig.upload("triangles", &triangles)?;
     for (name, bytes) in build::buffers(count).into_iter().chain(extend::buffers(side * side)) {
         rig.reserve(name, bytes)?;
