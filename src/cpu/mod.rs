@@ -1,5 +1,5 @@
-//! The twin of every pass on the CPU, by the same names; f64 where it is an oracle. And what is said of pictures: metrics
-//! and blocks.
+//! The twin of every pass on the CPU, by the same names; f64 where it is an oracle. And what is said of pictures: metrics,
+//! blocks, and whether an estimator became better, worse or wrong.
 
 pub mod blocks;
 pub mod bsdf;
@@ -14,6 +14,7 @@ pub mod path;
 pub mod rng;
 pub mod rng_sobol;
 pub mod sort;
+pub mod statistics;
 pub mod traverse;
 pub mod tree;
 pub mod tree_check;
