@@ -1,0 +1,3 @@
+//! The judge: its statistics simulated, and its verdicts on edited shaders.
+
+mod simulated;
