@@ -7,6 +7,7 @@ use glam::UVec2;
 
 use super::bench::light::{self, LightArguments};
 use super::compare::CompareArguments;
+use super::judge::JudgeArguments;
 use super::{Exit, Failure, bench};
 use crate::components::{Crop, Film, Integrator, Render, Sampler};
 use crate::gpu::Gpu;
@@ -20,6 +21,7 @@ Exit codes:
   2    the command line means nothing
   3    no graphics adapter that can be used: see `lucerna doctor`
   4    compared pictures differ by more than a --max flag allows
+  5    judged shaders have another mean
   130  interrupted; what there was has been written";
 
 /// A GPU path tracer.
@@ -42,6 +44,8 @@ pub enum Command {
     Doctor,
     /// Measure how the error of scenes falls with samples and time, or time single stages of the engine
     Bench(Box<BenchArguments>),
+    /// Tell whether an edit of the shaders made the estimator better, worse or wrong
+    Judge(Box<JudgeArguments>),
 }
 
 #[derive(Debug, Args)]
@@ -197,7 +201,7 @@ pub enum Switch {
     Off,
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(seconds) if seconds > 0.0 && seconds <= 1e7 => Ok(seconds),
         _ => Err("expected seconds above 0, at most 1e7".into()),
@@ -241,14 +245,14 @@ fn count(text: &str) -> Result<u32, String> {
     }
 }
 
-fn define(text: &str) -> Result<(String, String), String> {
+pub(super) fn define(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
         _ => Err("expected KEY=VALUE, such as materials.ball.ns=64".into()),
     }
 }
 
-fn output(text: &str) -> Result<Output, String> {
+pub(super) fn output(text: &str) -> Result<Output, String> {
     use miette::Diagnostic;
     Output::new(text).map_err(|error| match error.help() {
         Some(help) => format!("{error}; {help}"),

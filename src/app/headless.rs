@@ -142,15 +142,21 @@ fn trace(
     }
 }
 
+/// Makes a camera the active one.
+pub(super) fn choose_camera(description: &mut SceneDescription, name: &str) -> Result<(), Failure> {
+    if !description.cameras.contains_key(name) {
+        let names: Vec<&str> = description.cameras.keys().map(String::as_str).collect();
+        let help = format!("its cameras are: {}", names.join(", "));
+        return Err(Failure::usage(format!("--camera: the scene has no camera `{name}`"), help));
+    }
+    description.active = name.to_owned();
+    Ok(())
+}
+
 /// Applies the flags to the scene, over what its file and the defines say.
 fn adjust(description: &mut SceneDescription, arguments: &RenderArguments) -> Result<(), Failure> {
     if let Some(name) = &arguments.camera {
-        if !description.cameras.contains_key(name) {
-            let names: Vec<&str> = description.cameras.keys().map(String::as_str).collect();
-            let help = format!("its cameras are: {}", names.join(", "));
-            return Err(Failure::usage(format!("--camera: the scene has no camera `{name}`"), help));
-        }
-        description.active = name.clone();
+        choose_camera(description, name)?;
     }
     let (film, render) = (&mut description.film, &mut description.render);
     film.size = arguments.size.unwrap_or(film.size);

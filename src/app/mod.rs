@@ -10,9 +10,11 @@ mod doctor;
 mod failure;
 mod headless;
 mod interrupt;
+pub mod judge;
 mod output;
 mod progress;
 mod report;
+mod stage;
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -40,6 +42,7 @@ pub fn main() -> ExitCode {
         Command::Check(check) => check::run(&check),
         Command::Doctor => doctor::run(),
         Command::Bench(bench) => bench.run(),
+        Command::Judge(judge) => judge::run(&judge),
     };
     match result {
         Ok(exit) => ExitCode::from(exit),

@@ -8,7 +8,7 @@ use super::error::{ErrorKind, Place, ShaderError, Source};
 use super::generated::Generated;
 use super::library::Library;
 use super::module::{Import, Module};
-use super::{Features, check};
+use super::{Features, check, token};
 
 /// A module with all it imports: parsed, valid, and rid of what no entry point uses.
 #[derive(Debug)]
@@ -21,6 +21,20 @@ pub struct Linked {
     pub imports: BTreeSet<String>,
     /// The enabled features that any condition in it names: two links of a module with equal features have equal text.
     pub features: Features,
+}
+
+impl Linked {
+    /// Whether both texts are the same up to comments and white space.
+    pub fn is_same_code(&self, other: &Linked) -> bool {
+        self.words().zip(other.words()).is_some_and(|(own, others)| own == others)
+    }
+
+    /// The text's tokens; none if it has none, which no text that was parsed is.
+    fn words(&self) -> Option<Vec<&str>> {
+        let source = Arc::new(Source { file: String::new(), text: self.text.clone() });
+        let tokens = token::tokenize(&source).ok()?;
+        tokens.into_iter().map(|token| self.text.get(token.range)).collect()
+    }
 }
 
 /// Links a module of a library.
