@@ -44,7 +44,7 @@ impl Stage {
         });
     }
 
-    /// Traces for as long as nobody need wait for.
+    /// Traces for about a tenth of a second.
     pub fn step(&mut self) -> Result<Progress, EngineError> {
         self.engine.step(STEP)
     }

@@ -17,7 +17,7 @@
 
 use glam::UVec2;
 
-use super::blocks::Grid;
+use super::blocks::{BLACK, Grid, ROUNDING};
 use super::sign_flips::tail_bound;
 use super::statistics::variance;
 
@@ -29,12 +29,6 @@ pub const LEAST_GROUPS: usize = 32;
 
 /// A block's noise by its mean is taken to be at least this part of the picture's: of squares, so half of its noise.
 const LEAST_SQUARES: f64 = 0.25;
-
-/// Part of the mean by which rounding alone may move one of two pictures.
-const ROUNDING: f64 = 1e-5;
-
-/// Part of the picture's mean below which a block counts as black.
-const BLACK: f64 = 1e-3;
 
 /// Side of blocks, pixels, in a picture of this size: 16, or where it is small, an eighth of its shorter side.
 pub fn block_side(size: UVec2) -> u32 {

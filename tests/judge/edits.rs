@@ -126,4 +126,5 @@ fn too_few_films_tell_nothing() {
     let ran = judge(1, new.path(), "32x32", &["--force", "--spp", "4", "--time", "0.001"]);
     assert!(ran.stdout.contains("4 films of each are too few to tell of means"), "{}", ran.stdout);
     judge(2, new.path(), "32x32", &["--alpha", "2"]);
+    judge(2, new.path(), "32x32", &["--camera", "nowhere"]);
 }

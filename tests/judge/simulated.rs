@@ -7,32 +7,7 @@ use lucerna::cpu::equal_means::{LEAST_GROUPS, Means, MeansTest, block_side};
 use lucerna::cpu::sign_flips::tail_bound;
 use lucerna::cpu::statistics::{upper_quantile, upper_tail};
 
-/// Normal numbers by Box and Muller (1958), from a splitmix64 stream.
-struct Dice(u64);
-
-impl Dice {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
-        radius * (std::f64::consts::TAU * self.unit()).cos()
-    }
-
-    /// Of mean 1: a few values far above it, and most below.
-    fn log_normal(&mut self, sigma: f64) -> f64 {
-        (sigma * self.normal() - 0.5 * sigma * sigma).exp()
-    }
-
-    /// Of mean 1: now and then `height` more than else.
-    fn firefly(&mut self, probability: f64, height: f64) -> f64 {
-        1.0 + height * (f64::from(u8::from(self.unit() < probability)) - probability)
-    }
-}
+use crate::support::dice::Dice;
 
 #[test]
 fn quantiles_are_where_the_tail_is_what_was_asked_for() {

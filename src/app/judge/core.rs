@@ -1,5 +1,5 @@
 //! The judge: two engines on one device, one by the old shaders and one by the new, whose films of independent seeds are
-//! compared. Knows no command line, so that a window can run it between two frames.
+//! compared. Knows no command line, so that a window can run it between frames.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -164,13 +164,12 @@ impl Judge {
     pub fn warm_up(&mut self) -> Result<(), JudgeError> {
         let timed = self.shoot(0, TRIAL_SPP)?.seconds;
         let fit = self.plan.seconds / (2.0 * FILMS) * f64::from(TRIAL_SPP) / timed.max(1e-9);
-        self.spp = self.plan.spp.unwrap_or_else(|| 1 << fit.log2().floor().clamp(1.0, 10.0) as u32);
-        let pilot = [0, 1].map(|which| self.shoot(which, self.spp.saturating_mul(PILOT)));
-        let [old, new] = pilot;
+        let spp = self.plan.spp.unwrap_or_else(|| 1 << fit.log2().floor().clamp(1.0, 10.0) as u32);
+        let [old, new] = [0, 1].map(|which| self.shoot(which, spp.saturating_mul(PILOT)));
         self.weights = weights(&old?.radiance, &new?.radiance);
         self.sum = vec![[0.0; 3]; self.weights.len()];
         self.sides.iter_mut().for_each(|side| side.bad_samples = 0);
-        self.begin = Instant::now();
+        (self.begin, self.spp) = (Instant::now(), spp);
         Ok(())
     }
 
