@@ -56,7 +56,7 @@ fn a_wrong_pdf_is_called_wrong() {
     let new = edited("lib/bsdf/lambert", "return INV_PI * cos_theta;", "return 0.5 * INV_PI;", 1);
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("marked.png");
-    let more = ["--spp", "1", "--time", "60", "--json", "-o", picture.to_str().unwrap()];
+    let more = ["--spp", "1", "--films", "1024", "--json", "-o", picture.to_str().unwrap()];
     let found = judge(5, new.path(), "48x48", &more).json();
     assert_eq!(found["ended"], "means differ", "{found}");
     assert!(found["verdict"].as_str().unwrap().ends_with("the new one is brighter"), "{found}");
@@ -78,7 +78,7 @@ fn a_lost_light_is_called_darker_wherever_it_shone() {
         "0.5 * light.emission, light.triangle, point)",
         1,
     );
-    let ran = judge(5, new.path(), "32x32", &["--spp", "2", "--time", "60", "-D", "render.max_depth=2"]);
+    let ran = judge(5, new.path(), "32x32", &["--spp", "2", "--films", "256", "-D", "render.max_depth=2"]);
     assert!(ran.stdout.starts_with("means differ: ") && ran.stdout.contains("darker"), "{}", ran.stdout);
     assert!(ran.stdout.contains(" of 64 blocks"), "{}", ran.stdout);
 }
@@ -88,7 +88,7 @@ fn a_lost_light_is_called_darker_wherever_it_shone() {
 fn a_better_sampler_is_called_better_and_not_wrong() {
     let old = edited("lib/rng", "sobol)", "never)", 5);
     let more =
-        ["--spp", "16", "--time", "8", "--json", "-D", "render.max_depth=2", "--old", old.path().to_str().unwrap()];
+        ["--spp", "16", "--films", "64", "--json", "-D", "render.max_depth=2", "--old", old.path().to_str().unwrap()];
     let found = judge(0, Path::new("shaders"), "24x24", &more).json();
     let of = |key: &str| found["efficiency"][key].as_f64().unwrap();
     assert!(of("low") > 1.0 && of("low") < of("ratio") && of("ratio") < of("high"), "{found}");
@@ -102,7 +102,7 @@ fn comments_change_nothing() {
     let json = judge(0, new.path(), "32x32", &["--json"]).json();
     assert_eq!(json["changed"], false);
     // Judged all the same, by seeds of their own, they are found equal, and not because their films are.
-    let forced = judge(0, new.path(), "24x24", &["--force", "--spp", "1", "--time", "4", "--json"]).json();
+    let forced = judge(0, new.path(), "24x24", &["--force", "--spp", "1", "--films", "64", "--json"]).json();
     assert_eq!(forced["means"]["differ"], false, "{forced}");
     assert!(forced["means"]["whole"]["difference"].as_f64().unwrap() != 0.0, "{forced}");
     // What a scene lacks does not count either: nothing here is glass.
@@ -123,8 +123,8 @@ fn a_broken_shader_is_told_where_it_is_broken() {
 #[test]
 fn too_few_films_tell_nothing() {
     let new = edited("lib/rng", "fn sample_1d(", "fn  sample_1d(", 1);
-    let ran = judge(1, new.path(), "32x32", &["--force", "--spp", "4", "--time", "0.001"]);
-    assert!(ran.stdout.contains("4 films of each are too few to tell of means"), "{}", ran.stdout);
+    let ran = judge(1, new.path(), "32x32", &["--force", "--spp", "4", "--films", "30"]);
+    assert!(ran.stdout.contains("30 films of each are too few to tell of means"), "{}", ran.stdout);
     judge(2, new.path(), "32x32", &["--alpha", "2"]);
     judge(2, new.path(), "32x32", &["--camera", "nowhere"]);
 }

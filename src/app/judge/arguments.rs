@@ -20,10 +20,13 @@ pub struct JudgeArguments {
     /// Folder of the shaders to be judged
     #[arg(long, value_name = "DIR", default_value = "shaders")]
     pub new: PathBuf,
-    /// Trace for so many seconds, after warm-up, unless all is clear before
-    #[arg(long, value_name = "SECONDS", default_value = "30", value_parser = seconds)]
-    pub time: f64,
-    /// Samples a pixel of each film [default: a power of two, so that the time is enough for 256 films]
+    /// Trace for so many seconds, after warm-up, unless all is clear before [default: 30, without --films]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
+    /// Trace so many films of each, unless all is clear before (with --time: whichever comes first)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=1 << 24))]
+    pub films: Option<u32>,
+    /// Samples a pixel of each film [default: a power of two, so that the time, or half a minute, is enough for 256 films]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub spp: Option<u32>,
     /// Size of the picture in pixels, each side 1 to 16384 [default: the scene's]
@@ -57,7 +60,7 @@ pub struct JudgeArguments {
 
 impl JudgeArguments {
     pub fn plan(&self) -> Plan {
-        Plan { spp: self.spp, seconds: self.time, alpha: self.alpha, seed: self.seed }
+        Plan { spp: self.spp, seconds: self.time, films: self.films, alpha: self.alpha, seed: self.seed }
     }
 }
 

@@ -31,6 +31,9 @@ const NARROW: f64 = 0.05;
 /// Films of each that the time is to be enough for, where the samples of one are not given.
 const FILMS: f64 = 256.0;
 
+/// Of judging, where nothing else is asked for.
+pub const SECONDS: f64 = 30.0;
+
 /// Samples a pixel of the film that tells the speed, the first that counts being another.
 const TRIAL_SPP: u32 = 4;
 
@@ -53,8 +56,10 @@ pub enum JudgeError {
 pub struct Plan {
     /// Samples a pixel of each film; `None` chooses a power of two by the time.
     pub spp: Option<u32>,
-    /// Wall clock, after warm-up.
-    pub seconds: f64,
+    /// Wall clock, after warm-up; `None` is no limit where there is one to the films, else half a minute.
+    pub seconds: Option<f64>,
+    /// Films of each, at most; `None` is no limit.
+    pub films: Option<u32>,
     /// Probability that equal means are called different, over the whole run.
     pub alpha: f64,
     /// Other seeds give other films.
@@ -163,7 +168,7 @@ impl Judge {
     /// to show that apart calls it before.
     pub fn warm_up(&mut self) -> Result<(), JudgeError> {
         let timed = self.shoot(0, TRIAL_SPP)?.seconds;
-        let fit = self.plan.seconds / (2.0 * FILMS) * f64::from(TRIAL_SPP) / timed.max(1e-9);
+        let fit = self.plan.seconds.unwrap_or(SECONDS) / (2.0 * FILMS) * f64::from(TRIAL_SPP) / timed.max(1e-9);
         let spp = self.plan.spp.unwrap_or_else(|| 1 << fit.log2().floor().clamp(1.0, 10.0) as u32);
         let [old, new] = [0, 1].map(|which| self.shoot(which, spp.saturating_mul(PILOT)));
         self.weights = weights(&old?.radiance, &new?.radiance);
@@ -194,7 +199,7 @@ impl Judge {
                 *sum += value;
             }
         }
-        let due = self.is_late() || 2 * self.trials.len() >= self.next_look;
+        let due = self.limit_reached().is_some() || 2 * self.trials.len() >= self.next_look;
         Ok(due.then(|| self.look()))
     }
 
@@ -207,11 +212,10 @@ impl Judge {
         let means = self.test.look();
         let ratio = Ratio::of(&self.trials);
         let narrow = films >= LEAST_FILMS && ratio.is_some_and(|ratio| ratio.spread() <= NARROW);
-        let ended = match (means.differ(), narrow, self.is_late()) {
-            (true, ..) => Some(End::Differ),
-            (_, true, _) => Some(End::Narrow),
-            (.., true) => Some(End::Time),
-            _ => None,
+        let ended = match means.differ() {
+            true => Some(End::Differ),
+            false if narrow => Some(End::Narrow),
+            false => self.limit_reached(),
         };
         let estimator = |which: usize| {
             let (relmse, seconds) = averages(&self.trials, which);
@@ -226,9 +230,16 @@ impl Judge {
         self.sum.iter().map(|sum| sum.map(|channel| channel / films)).collect()
     }
 
-    fn is_late(&self) -> bool {
-        // From fewer films no interval can be told.
-        2 * self.trials.len() >= FIRST_LOOK && self.begin.elapsed().as_secs_f64() >= self.plan.seconds
+    fn limit_reached(&self) -> Option<End> {
+        let films = 2 * self.trials.len();
+        let seconds = self.plan.seconds.or(self.plan.films.is_none().then_some(SECONDS));
+        match films {
+            // From fewer films no interval can be told.
+            _ if films < FIRST_LOOK => None,
+            _ if self.plan.films.is_some_and(|most| films >= most as usize) => Some(End::Films),
+            _ if seconds.is_some_and(|most| self.begin.elapsed().as_secs_f64() >= most) => Some(End::Time),
+            _ => None,
+        }
     }
 
     /// A film of a seed that no other film of either has.

@@ -12,6 +12,8 @@ pub enum End {
     Narrow,
     /// The time is over.
     Time,
+    /// There are as many films as were asked for.
+    Films,
 }
 
 /// What films say of one estimator.

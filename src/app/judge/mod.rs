@@ -6,7 +6,7 @@ mod look;
 mod mark;
 mod report;
 
-pub use self::core::{Judge, JudgeError, Plan};
+pub use self::core::{Judge, JudgeError, Plan, SECONDS};
 pub use arguments::JudgeArguments;
 pub use look::{End, Estimator, Look};
 
@@ -77,7 +77,9 @@ fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, SceneDescription), F
 
 /// Traces until a look ends it, or a signal does.
 fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -> Result<Look, Failure> {
-    let goal = Goal { samples: None, seconds: Some(arguments.time) };
+    let samples = arguments.films.map(|films| judge.samples().saturating_mul(u64::from(films)));
+    let seconds = arguments.time.or(samples.is_none().then_some(SECONDS));
+    let goal = Goal { samples, seconds };
     let mut meter = Meter::new("judge", goal, arguments.quiet);
     let mut spp = 0u32;
     loop {

@@ -51,6 +51,7 @@ impl Account<'_> {
                 End::Differ => "means differ",
                 End::Narrow => "efficiency is known",
                 End::Time => "time is over",
+                End::Films => "all films are traced",
             }),
             // Null where films have no noise.
             "efficiency": look.ratio.map(|ratio| json!({ "ratio": ratio.ratio, "low": ratio.low, "high": ratio.high })),
@@ -98,7 +99,8 @@ impl Account<'_> {
             let count = estimator.bad_samples;
             format!("warning: {count} samples of the {name} one were no numbers, or too large, and were left out")
         };
-        let few = (!self.look.tells()).then(|| "help: give more --time, a smaller --size or fewer --spp".to_owned());
+        let few = (!self.look.tells())
+            .then(|| "help: give more --time or --films, a smaller --size or fewer --spp".to_owned());
         bad.map(line).chain(few).collect()
     }
 
