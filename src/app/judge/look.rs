@@ -66,7 +66,7 @@ impl Look {
                 let [ratio, low, high] = [1.0 / ratio, 1.0 / high, 1.0 / low].map(times);
                 format!("{ratio}x ({low} to {high}) less efficient")
             }
-            _ => format!("{}x ({} to {}) as efficient: no difference", times(ratio), times(low), times(high)),
+            _ => format!("{}x ({} to {}) as efficient: not told apart", times(ratio), times(low), times(high)),
         }
     }
 

@@ -58,6 +58,8 @@ impl Account<'_> {
             "old": estimator(&look.old),
             "new": estimator(&look.new),
             "means": {
+                // With too few films nothing is told, and nothing differs.
+                "told": look.tells(),
                 "differ": means.differ(),
                 "alpha": self.arguments.alpha,
                 "alpha_of_look": means.spent,
