@@ -10,26 +10,11 @@ use lucerna::app::bench::light::record::{
     Bench, ConfigurationRecord, Machine, ReferenceRecord, Run, SceneRecord, Snapshot,
 };
 use lucerna::app::bench::light::tables;
-use lucerna::app::bench::statistics::{Crossing, Summary, Welch, crossing, least_squares, log_log_slope, upper_tail};
 use lucerna::cpu::metrics::relative_mse;
+use lucerna::cpu::statistics::{Crossing, Summary, Welch, crossing, least_squares, log_log_slope, upper_tail};
 use serde_json::Value;
 
-/// Normal numbers by Box and Muller (1958), from a splitmix64 stream.
-struct Dice(u64);
-
-impl Dice {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
-        radius * (std::f64::consts::TAU * self.unit()).cos()
-    }
-}
+use crate::support::dice::Dice;
 
 fn close(found: f64, expected: f64, relative: f64) {
     assert!((found - expected).abs() <= relative * expected.abs(), "{found} is not {expected}");

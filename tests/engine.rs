@@ -28,7 +28,9 @@ fn open(description: &SceneDescription) -> Engine {
 
 fn finish(engine: &mut Engine, step: Duration) -> FilmImage {
     while !engine.step(step).unwrap().finished {}
-    engine.film().unwrap()
+    let film = engine.film().unwrap();
+    assert_eq!(engine.radiance().unwrap(), film.rgb);
+    film
 }
 
 /// A small Cornell box: the film is checked to the bit, so its size does not matter.

@@ -15,6 +15,7 @@ mod film;
 mod fuzz;
 mod glass;
 mod intersect;
+mod judge;
 mod law;
 mod layout;
 mod light;

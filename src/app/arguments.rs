@@ -7,6 +7,7 @@ use glam::UVec2;
 
 use super::bench::light::{self, LightArguments};
 use super::compare::CompareArguments;
+use super::judge::JudgeArguments;
 use super::scene::SceneFlags;
 use super::{Exit, Failure, bench};
 use crate::components::{Crop, Film, Integrator, Sampler};
@@ -21,6 +22,7 @@ Exit codes:
   2    the command line means nothing
   3    no graphics adapter that can be used: see `lucerna doctor`
   4    compared pictures differ by more than a --max flag allows
+  5    judged shaders have another mean
   130  interrupted; what there was has been written";
 
 /// A GPU path tracer.
@@ -48,6 +50,8 @@ pub enum Command {
     Doctor,
     /// Measure how the error of scenes falls with samples and time, or time single stages of the engine
     Bench(Box<BenchArguments>),
+    /// Tell whether an edit of the shaders made the estimator better, worse or wrong
+    Judge(Box<JudgeArguments>),
 }
 
 /// The scene that opens where none is named.
@@ -203,7 +207,7 @@ pub enum Switch {
     Off,
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(seconds) if seconds > 0.0 && seconds <= 1e7 => Ok(seconds),
         _ => Err("expected seconds above 0, at most 1e7".into()),
@@ -255,7 +259,7 @@ pub fn define(text: &str) -> Result<(String, String), String> {
     }
 }
 
-fn output(text: &str) -> Result<Output, String> {
+pub(super) fn output(text: &str) -> Result<Output, String> {
     use miette::Diagnostic;
     Output::new(text).map_err(|error| match error.help() {
         Some(help) => format!("{error}; {help}"),

@@ -24,6 +24,8 @@ pub enum Exit {
     NoAdapter,
     /// Compared pictures differ by more than was allowed.
     Differs,
+    /// Judged shaders have another mean.
+    MeansDiffer,
     /// Interrupted; what there was has been written.
     Interrupted,
 }
@@ -37,6 +39,7 @@ impl Exit {
             Exit::Usage => 2,
             Exit::NoAdapter => 3,
             Exit::Differs => 4,
+            Exit::MeansDiffer => 5,
             Exit::Interrupted => 130,
         }
     }

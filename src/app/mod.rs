@@ -10,10 +10,12 @@ mod doctor;
 mod failure;
 mod headless;
 mod interrupt;
+pub mod judge;
 mod output;
 mod progress;
 mod report;
 mod scene;
+mod stage;
 mod watch;
 pub mod window;
 
@@ -53,6 +55,7 @@ pub fn main() -> ExitCode {
         Command::Check(check) => check::run(&check),
         Command::Doctor => doctor::run(),
         Command::Bench(bench) => bench.run(),
+        Command::Judge(judge) => judge::run(&judge),
     };
     match result {
         Ok(exit) => ExitCode::from(exit),

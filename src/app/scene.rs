@@ -104,12 +104,7 @@ impl SceneFlags {
     /// Applies the flags to the scene, over what its file and the defines say.
     fn adjust(&self, description: &mut SceneDescription) -> Result<(), Failure> {
         if let Some(name) = &self.camera {
-            if !description.cameras.contains_key(name) {
-                let names: Vec<&str> = description.cameras.keys().map(String::as_str).collect();
-                let help = format!("its cameras are: {}", names.join(", "));
-                return Err(Failure::usage(format!("--camera: the scene has no camera `{name}`"), help));
-            }
-            description.active = name.clone();
+            choose_camera(description, name)?;
         }
         let (film, render) = (&mut description.film, &mut description.render);
         film.size = self.size.unwrap_or(film.size);
@@ -135,4 +130,15 @@ impl SceneFlags {
         render.roulette = self.roulette.map_or(render.roulette, |switch| switch == Switch::On);
         Ok(())
     }
+}
+
+/// Renders by the camera of a name.
+pub fn choose_camera(description: &mut SceneDescription, name: &str) -> Result<(), Failure> {
+    if !description.cameras.contains_key(name) {
+        let names: Vec<&str> = description.cameras.keys().map(String::as_str).collect();
+        let help = format!("its cameras are: {}", names.join(", "));
+        return Err(Failure::usage(format!("--camera: the scene has no camera `{name}`"), help));
+    }
+    description.active = name.to_owned();
+    Ok(())
 }

@@ -15,10 +15,10 @@ pub const FAMILY_WISE: f64 = 1e-4;
 pub const LEAST_PIXELS: u32 = 32;
 
 /// Part of the mean by which rounding alone may move one of two pictures.
-const ROUNDING: f64 = 1e-5;
+pub const ROUNDING: f64 = 1e-5;
 
 /// Part of the picture's mean below which a block counts as black.
-const BLACK: f64 = 1e-3;
+pub const BLACK: f64 = 1e-3;
 
 /// Standard errors are 0 where all pixels of a block differ by the same; z is held within this.
 const MOST: f64 = 1e6;

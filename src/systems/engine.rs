@@ -173,6 +173,11 @@ impl Engine {
         report::read_film(&mut self.world)
     }
 
+    /// Reads the mean radiance of the film's window back, row by row from the top: sooner done than the whole film.
+    pub fn radiance(&mut self) -> Result<Vec<[f32; 3]>, EngineError> {
+        report::read_radiance(&mut self.world)
+    }
+
     /// What was done so far, and what it took.
     pub fn report(&mut self) -> Result<Report, EngineError> {
         report::read_report(&mut self.world)

@@ -102,6 +102,21 @@ pub(super) fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
     })
 }
 
+/// Reads the film's mean radiance alone; black where nothing was traced.
+pub(super) fn read_radiance(world: &mut World) -> Result<Vec<[f32; 3]>, EngineError> {
+    let cleared = world.resource::<FilmProgress>().cleared;
+    let scene = world.resource::<PackedScene>();
+    let (count, exponent) = ((scene.shot.window_width * scene.shot.window_height) as usize, scene.exponent);
+    match (count, cleared) {
+        (0, _) => Err(EngineError::EmptyFilm),
+        (_, false) => Ok(vec![[0.0; 3]; count]),
+        (_, true) => {
+            let pixels: Vec<FilmPixel> = world.resource::<Device>().0.read_some("film", count)?;
+            Ok(pixels.iter().map(|pixel| pixel_mean(pixel, exponent).0.map(|channel| channel as f32)).collect())
+        }
+    }
+}
+
 /// Adds up what was done.
 pub(super) fn read_report(world: &mut World) -> Result<Report, EngineError> {
     let progress = *world.resource::<FilmProgress>();

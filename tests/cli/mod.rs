@@ -78,7 +78,7 @@ fn help_says_what_there_is_and_exit_codes() {
         assert_eq!(lucerna(Path::new("."), arguments).status.code(), Some(code), "{arguments:?}");
     }
     let help = String::from_utf8(lucerna(Path::new("."), &["--help"]).stdout).unwrap();
-    for word in ["view", "render", "check", "doctor", "bench", "Exit codes", "130"] {
+    for word in ["view", "render", "check", "doctor", "bench", "judge", "watch", "Exit codes", "130"] {
         assert!(help.contains(word), "--help lacks {word}");
     }
 }

@@ -1,5 +1,6 @@
 //! What the tests share.
 
+pub mod dice;
 pub mod stage;
 pub mod tracer;
 pub mod trees;

@@ -5,7 +5,6 @@ pub mod build;
 pub mod extend;
 pub mod light;
 pub mod sort;
-pub mod statistics;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -3,8 +3,8 @@
 use super::configuration::Configuration;
 use super::record::{ConfigurationRecord, Run, Snapshot};
 use super::reference::Reference;
-use super::stage::{Stage, Watch};
 use crate::app::bench::BenchError;
+use crate::app::stage::{Stage, Watch};
 use crate::components::Render;
 use crate::cpu::metrics::relative_mse;
 

@@ -11,7 +11,6 @@ mod measure;
 pub mod plot;
 pub mod record;
 mod reference;
-mod stage;
 pub mod tables;
 
 use std::path::Path;
@@ -24,6 +23,7 @@ use super::BenchError;
 use crate::app::failure::show;
 use crate::app::interrupt::Interrupt;
 use crate::app::progress::{Goal, Meter};
+use crate::app::stage::{Stage, Watch};
 use crate::app::{Exit, Failure, output};
 use crate::gpu::Gpu;
 use crate::scene::{self, SceneDescription};
@@ -31,7 +31,6 @@ use crate::shader::Library;
 use arguments::ReferenceBy;
 use record::{Bench, Machine, SceneRecord};
 use reference::{Reference, Shelf};
-use stage::{Stage, Watch};
 
 /// A scene to be measured.
 struct Subject {

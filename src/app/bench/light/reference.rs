@@ -8,10 +8,10 @@ use bevy_ecs::prelude::World;
 
 use super::configuration::Configuration;
 use super::record::ReferenceRecord;
-use super::stage::{Stage, Watch};
 use crate::app::bench::BenchError;
 use crate::app::output;
 use crate::app::progress::{Goal, Meter};
+use crate::app::stage::{Stage, Watch};
 use crate::components::{Film, Integrator, Render, Sampler};
 use crate::cpu::metrics::DARK;
 use crate::cpu::oracle::{self, Oracle};

@@ -3,14 +3,14 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::app::bench::BenchError;
-use crate::app::interrupt::Interrupt;
-use crate::app::progress::Meter;
+use super::interrupt::Interrupt;
+use super::progress::Meter;
 use crate::components::Render;
 use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
-use crate::shader::Library;
-use crate::systems::{Engine, FilmImage, Report};
+use crate::shader::{Features, Library};
+use crate::systems::state::PackedScene;
+use crate::systems::{Engine, EngineError, FilmImage, Progress, Report};
 
 /// Tracing between two looks at signals: as long as that of a headless render.
 const STEP: Duration = Duration::from_millis(100);
@@ -30,7 +30,7 @@ pub struct Stage {
 
 impl Stage {
     /// Opens a scene. Nothing is traced yet.
-    pub fn open(gpu: &Arc<Gpu>, library: &Library, description: &SceneDescription) -> Result<Self, BenchError> {
+    pub fn open(gpu: &Arc<Gpu>, library: &Library, description: &SceneDescription) -> Result<Self, EngineError> {
         let engine = Engine::open(gpu.clone(), library.clone(), description)?;
         Ok(Self { engine, render: description.render })
     }
@@ -44,10 +44,15 @@ impl Stage {
         });
     }
 
+    /// Traces for about a tenth of a second.
+    pub fn step(&mut self) -> Result<Progress, EngineError> {
+        self.engine.step(STEP)
+    }
+
     /// Traces until the film is finished. False if a signal came before that.
-    pub fn finish(&mut self, watch: &mut Watch) -> Result<bool, BenchError> {
+    pub fn finish(&mut self, watch: &mut Watch) -> Result<bool, EngineError> {
         loop {
-            let step = self.engine.step(STEP)?;
+            let step = self.step()?;
             watch.meter.advance(step.samples, step.spp);
             match (step.finished, watch.interrupt.asked()) {
                 (true, _) => return Ok(true),
@@ -58,12 +63,22 @@ impl Stage {
     }
 
     /// Reads the film back.
-    pub fn film(&mut self) -> Result<FilmImage, BenchError> {
-        Ok(self.engine.film()?)
+    pub fn film(&mut self) -> Result<FilmImage, EngineError> {
+        self.engine.film()
+    }
+
+    /// Reads the film's mean radiance back, and nothing else of it.
+    pub fn radiance(&mut self) -> Result<Vec<[f32; 3]>, EngineError> {
+        self.engine.radiance()
+    }
+
+    /// Shader features of the scene, as the last step found them.
+    pub fn features(&mut self) -> Features {
+        self.engine.edit(|world| world.resource::<PackedScene>().features.clone())
     }
 
     /// What was done since the scene was opened.
-    pub fn report(&mut self) -> Result<Report, BenchError> {
-        Ok(self.engine.report()?)
+    pub fn report(&mut self) -> Result<Report, EngineError> {
+        self.engine.report()
     }
 }

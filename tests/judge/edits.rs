@@ -1,0 +1,130 @@
+//! `lucerna judge` by running it: verdicts on shaders of which one line was edited.
+//!
+//! Pictures are small, since a processor traces a tenth of a million samples a second while all tests run.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// Copies the shaders, and replaces text that stands in so many places of one of them.
+fn edited(module: &str, text: &str, replacement: &str, places: usize) -> TempDir {
+    fn copy(from: &Path, to: &Path) {
+        std::fs::create_dir_all(to).unwrap();
+        for entry in std::fs::read_dir(from).unwrap().map(Result::unwrap) {
+            match entry.path().is_dir() {
+                true => copy(&entry.path(), &to.join(entry.file_name())),
+                false => drop(std::fs::copy(entry.path(), to.join(entry.file_name())).unwrap()),
+            }
+        }
+    }
+    let folder = tempfile::tempdir().unwrap();
+    copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders"), folder.path());
+    let path = folder.path().join(module).with_extension("wgsl");
+    let before = std::fs::read_to_string(&path).unwrap();
+    assert_eq!(before.matches(text).count(), places, "`{text}` in {module}");
+    std::fs::write(path, before.replace(text, replacement)).unwrap();
+    folder
+}
+
+/// What a run printed, after a check of its exit code.
+struct Ran {
+    stdout: String,
+    stderr: String,
+}
+
+impl Ran {
+    fn json(&self) -> Value {
+        serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("{error}: {}", self.stdout))
+    }
+}
+
+/// Judges a small Cornell box.
+fn judge(code: i32, new: &Path, size: &str, more: &[&str]) -> Ran {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
+    command.args(["judge", "cornell-box", "--quiet", "--size", size, "--new"]).arg(new).args(more);
+    let run = command.current_dir(env!("CARGO_MANIFEST_DIR")).stdin(Stdio::null()).output().unwrap();
+    let [stdout, stderr] = [run.stdout, run.stderr].map(|text| String::from_utf8(text).unwrap());
+    assert_eq!(run.status.code(), Some(code), "{more:?} said:\n{stdout}{stderr}");
+    Ran { stdout, stderr }
+}
+
+/// Directions are drawn by the cosine, and weighted as if they were drawn evenly: surfaces reflect a third too much.
+#[test]
+fn a_wrong_pdf_is_called_wrong() {
+    let new = edited("lib/bsdf/lambert", "return INV_PI * cos_theta;", "return 0.5 * INV_PI;", 1);
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("marked.png");
+    let more = ["--spp", "1", "--films", "1024", "--json", "-o", picture.to_str().unwrap()];
+    let found = judge(5, new.path(), "48x48", &more).json();
+    assert_eq!(found["ended"], "means differ", "{found}");
+    assert!(found["verdict"].as_str().unwrap().ends_with("the new one is brighter"), "{found}");
+    assert!(found["means"]["whole"]["relative"].as_f64().unwrap() > 0.02, "{found}");
+    // Nothing else in the picture is of that very orange.
+    let marked = image::open(&picture).unwrap().to_rgb8();
+    let orange = marked.pixels().filter(|pixel| pixel.0 == [230, 97, 1]).count();
+    let blocks = found["means"]["differing"].as_array().unwrap().len();
+    assert!((orange > 0) == (blocks > 0), "{orange} pixels for {blocks} blocks");
+    assert_eq!(marked.dimensions(), (48, 48));
+}
+
+/// Half of the light that is asked for is lost: seen at the first look that can see.
+#[test]
+fn a_lost_light_is_called_darker_wherever_it_shone() {
+    let new = edited(
+        "passes/trace/connect",
+        "light.emission, light.triangle, point)",
+        "0.5 * light.emission, light.triangle, point)",
+        1,
+    );
+    let ran = judge(5, new.path(), "32x32", &["--spp", "2", "--films", "256", "-D", "render.max_depth=2"]);
+    assert!(ran.stdout.starts_with("means differ: ") && ran.stdout.contains("darker"), "{}", ran.stdout);
+    assert!(ran.stdout.contains(" of 64 blocks"), "{}", ran.stdout);
+}
+
+/// Of direct light alone, stratified samples are worth far more than independent ones.
+#[test]
+fn a_better_sampler_is_called_better_and_not_wrong() {
+    let old = edited("lib/rng", "sobol)", "never)", 5);
+    let more =
+        ["--spp", "16", "--films", "64", "--json", "-D", "render.max_depth=2", "--old", old.path().to_str().unwrap()];
+    let found = judge(0, Path::new("shaders"), "24x24", &more).json();
+    let of = |key: &str| found["efficiency"][key].as_f64().unwrap();
+    assert!(of("low") > 1.0 && of("low") < of("ratio") && of("ratio") < of("high"), "{found}");
+}
+
+#[test]
+fn comments_change_nothing() {
+    let new = edited("lib/rng", "fn sample_1d(", "/* one\n number */ fn  sample_1d( // of a sample\n", 1);
+    let ran = judge(0, new.path(), "32x32", &[]);
+    assert_eq!(ran.stdout, "nothing changed in what this scene runs\n");
+    let json = judge(0, new.path(), "32x32", &["--json"]).json();
+    assert_eq!(json["changed"], false);
+    // Judged all the same, by seeds of their own, they are found equal, and not because their films are.
+    let forced = judge(0, new.path(), "24x24", &["--force", "--spp", "1", "--films", "64", "--json"]).json();
+    assert!(forced["means"]["told"] == true && forced["means"]["differ"] == false, "{forced}");
+    assert!(forced["means"]["whole"]["difference"].as_f64().unwrap() != 0.0, "{forced}");
+    // What a scene lacks does not count either: nothing here is glass.
+    let glass = edited("lib/bsdf/dielectric", "// A crossing from", "const UNUSED_HERE = 1;\n// A crossing from", 1);
+    assert_eq!(judge(0, glass.path(), "32x32", &[]).stdout, "nothing changed in what this scene runs\n");
+}
+
+#[test]
+fn a_broken_shader_is_told_where_it_is_broken() {
+    let new = edited("lib/sampling", "return Angle(sqrt(1.0 - u), sqrt(u));", "return Angle(sqrt(1.0 - u), u5);", 1);
+    let ran = judge(1, new.path(), "32x32", &[]);
+    assert!(ran.stderr.contains("lib/sampling.wgsl:13:") && ran.stderr.contains("error:"), "{}", ran.stderr);
+    assert!(ran.stdout.is_empty(), "{}", ran.stdout);
+    let ran = judge(1, Path::new("no-such-folder"), "32x32", &[]);
+    assert!(ran.stderr.contains("no-such-folder"), "{}", ran.stderr);
+}
+
+#[test]
+fn too_few_films_tell_nothing() {
+    let new = edited("lib/rng", "fn sample_1d(", "fn  sample_1d(", 1);
+    let ran = judge(1, new.path(), "32x32", &["--force", "--spp", "4", "--films", "30"]);
+    assert!(ran.stdout.contains("30 films of each are too few to tell of means"), "{}", ran.stdout);
+    judge(2, new.path(), "32x32", &["--alpha", "2"]);
+    judge(2, new.path(), "32x32", &["--camera", "nowhere"]);
+}

@@ -1,0 +1,4 @@
+//! The judge: its statistics simulated, and its verdicts on edited shaders.
+
+mod edits;
+mod simulated;
