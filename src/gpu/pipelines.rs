@@ -135,6 +135,10 @@ impl Pipelines {
         Self { library, compiler, kept: HashMap::new() }
     }
 
+    pub fn library(&self) -> &Library {
+        &self.library
+    }
+
     pub fn compiler(&self) -> &Compiler {
         &self.compiler
     }

@@ -124,6 +124,13 @@ impl Library {
         link::link(self, module, features)
     }
 
+    /// Whether all modules have the same texts.
+    pub fn is_same(&self, other: &Library) -> bool {
+        let hashes = |library: &Library| library.modules().map(|name| (name.to_owned(), library.hash(name))).collect();
+        let [own, others]: [Vec<(String, Option<u64>)>; 2] = [self, other].map(hashes);
+        own == others
+    }
+
     pub(super) fn shared(&self) -> &Shared {
         &self.shared
     }

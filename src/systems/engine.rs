@@ -156,6 +156,11 @@ impl Engine {
         self.world.get_resource::<Reload>()?.description.as_ref()
     }
 
+    /// The shaders that are run.
+    pub fn library(&self) -> Library {
+        self.world.resource::<Device>().0.library().clone()
+    }
+
     /// Has everything that is watched read again, changed or not.
     pub fn reload(&self) {
         if let Some(reload) = self.world.get_resource::<Reload>() {

@@ -2,6 +2,7 @@
 //! compared. Knows no command line, so that a window can run it between frames.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use glam::UVec2;
@@ -49,6 +50,8 @@ pub enum JudgeError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Engine(#[from] EngineError),
+    #[error("stopped before it was judged")]
+    Stopped,
 }
 
 /// How to judge.
@@ -82,10 +85,14 @@ struct Shot {
 
 impl Side {
     /// Traces a film from its first sample to its last.
-    fn film(&mut self, seed: u32, spp: u32) -> Result<Shot, EngineError> {
+    fn film(&mut self, seed: u32, spp: u32, stop: &AtomicBool) -> Result<Shot, JudgeError> {
         let before = self.stage.report()?.seconds_trace;
         self.stage.set(Render { seed, spp, ..self.stage.render });
-        while !self.stage.step()?.finished {}
+        while !self.stage.step()?.finished {
+            if stop.load(Ordering::Relaxed) {
+                return Err(JudgeError::Stopped);
+            }
+        }
         let report = self.stage.report()?;
         self.bad_samples += report.bad_samples;
         Ok(Shot { radiance: self.stage.radiance()?, seconds: report.seconds_trace - before })
@@ -109,12 +116,13 @@ pub struct Judge {
     weights: Vec<[f32; 3]>,
     test: MeansTest,
     trials: Vec<Trial>,
-    /// Films of the new one, summed.
-    sum: Vec<[f32; 3]>,
+    /// Films of each, summed; the old one first.
+    sums: [Vec<[f32; 3]>; 2],
     next_look: usize,
     begin: Instant,
     /// Films begun so far, of both: each has a seed of its own.
     films: u32,
+    stop: Arc<AtomicBool>,
 }
 
 impl Judge {
@@ -129,7 +137,8 @@ impl Judge {
         let side =
             |library| Ok::<_, EngineError>(Side { stage: Stage::open(gpu, library, description)?, bad_samples: 0 });
         let mut sides = [side(old)?, side(new)?];
-        sides[0].film(plan.seed, 1)?;
+        let stop = Arc::new(AtomicBool::new(false));
+        sides[0].film(plan.seed, 1, &stop)?;
         let changed = is_changed(old, new, &sides[0].stage.features())?;
         let size = description.film.window().size();
         let test = MeansTest::new(Grid::new(size, block_side(size)), plan.alpha);
@@ -142,10 +151,11 @@ impl Judge {
             weights: Vec::new(),
             test,
             trials: Vec::new(),
-            sum: Vec::new(),
+            sums: [Vec::new(), Vec::new()],
             next_look: FIRST_LOOK,
             begin: Instant::now(),
             films: 1,
+            stop,
         })
     }
 
@@ -172,7 +182,7 @@ impl Judge {
         let spp = self.plan.spp.unwrap_or_else(|| 1 << fit.log2().floor().clamp(1.0, 10.0) as u32);
         let [old, new] = [0, 1].map(|which| self.shoot(which, spp.saturating_mul(PILOT)));
         self.weights = weights(&old?.radiance, &new?.radiance);
-        self.sum = vec![[0.0; 3]; self.weights.len()];
+        self.sums = [0, 1].map(|_| vec![[0.0; 3]; self.weights.len()]);
         self.sides.iter_mut().for_each(|side| side.bad_samples = 0);
         (self.begin, self.spp) = (Instant::now(), spp);
         Ok(())
@@ -194,10 +204,9 @@ impl Judge {
             relmse: [error(&old, &other), error(&first, &last)],
             seconds: [0.5 * (old.seconds + other.seconds), 0.5 * (first.seconds + last.seconds)],
         });
-        for film in [&first.radiance, &last.radiance] {
-            for (sum, value) in self.sum.as_flattened_mut().iter_mut().zip(film.as_flattened()) {
-                *sum += value;
-            }
+        for (which, film) in [(0, &old), (0, &other), (1, &first), (1, &last)] {
+            let sums = self.sums[which].as_flattened_mut().iter_mut();
+            sums.zip(film.radiance.as_flattened()).for_each(|(sum, value)| *sum += value);
         }
         let due = self.limit_reached().is_some() || 2 * self.trials.len() >= self.next_look;
         Ok(due.then(|| self.look()))
@@ -224,10 +233,15 @@ impl Judge {
         Look { films, spp: self.spp, means, ratio, old: estimator(0), new: estimator(1), ended }
     }
 
-    /// Mean radiance of all films by the new shaders, row by row from the top of the window.
-    pub fn picture(&self) -> Vec<[f32; 3]> {
+    /// Mean radiance of all films by the old and by the new shaders, row by row from the top of the window.
+    pub fn pictures(&self) -> [Vec<[f32; 3]>; 2] {
         let films = (2 * self.trials.len()).max(1) as f32;
-        self.sum.iter().map(|sum| sum.map(|channel| channel / films)).collect()
+        self.sums.each_ref().map(|sums| sums.iter().map(|sum| sum.map(|channel| channel / films)).collect())
+    }
+
+    /// Gives up, with [`JudgeError::Stopped`], as soon as this is set.
+    pub fn stop_by(&mut self, stop: Arc<AtomicBool>) {
+        self.stop = stop;
     }
 
     fn limit_reached(&self) -> Option<End> {
@@ -243,11 +257,11 @@ impl Judge {
     }
 
     /// A film of a seed that no other film of either has.
-    fn shoot(&mut self, which: usize, spp: u32) -> Result<Shot, EngineError> {
+    fn shoot(&mut self, which: usize, spp: u32) -> Result<Shot, JudgeError> {
         // An odd factor: all multiples modulo 2^32 differ.
         let seed = self.plan.seed.wrapping_add(self.films.wrapping_mul(0x9e37_79b9));
         self.films = self.films.wrapping_add(1);
-        self.sides[which].film(seed, spp)
+        self.sides[which].film(seed, spp, &self.stop)
     }
 }
 

@@ -9,6 +9,7 @@ mod report;
 pub use self::core::{Judge, JudgeError, Plan, SECONDS};
 pub use arguments::JudgeArguments;
 pub use look::{End, Estimator, Look};
+pub use mark::marked;
 
 use std::path::{Path, PathBuf};
 
@@ -24,7 +25,7 @@ use crate::systems::save::Picture;
 use report::Account;
 
 /// What is said of code that is the same.
-const UNCHANGED: &str = "nothing changed in what this scene runs";
+pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 
 /// Judges until all is clear or the time is over, and tells.
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
@@ -47,7 +48,7 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     let changed = judge.changed();
     let adapter = gpu.name();
     let account = Account { arguments, path: &path, description: &description, adapter, changed, look: &look };
-    tell(&account, &judge.picture())?;
+    tell(&account, &judge.pictures()[1])?;
     Ok(match (look.means.differ(), interrupted, look.tells()) {
         (true, ..) => Exit::MeansDiffer,
         (_, true, _) => Exit::Interrupted,
@@ -107,7 +108,7 @@ fn tell(account: &Account, radiance: &[[f32; 3]]) -> Result<(), Failure> {
     let window = film.window();
     let names: Vec<String> = arguments.output.iter().map(|output| output.path.display().to_string()).collect();
     let json = account.json(&names);
-    let display = mark::marked(radiance, window.size(), f64::from(film.exposure).exp2(), &account.look.means);
+    let display = marked(radiance, window.size(), f64::from(film.exposure).exp2(), &account.look.means);
     let metadata = account.metadata();
     let picture =
         Picture { size: film.size, window, linear: radiance, display: &display, metadata: &metadata, report: &json };
@@ -128,6 +129,7 @@ impl From<JudgeError> for Failure {
         match error {
             JudgeError::Shader(error) => error.into(),
             JudgeError::Engine(error) => Self::engine(error),
+            stopped @ JudgeError::Stopped => Self::of(stopped),
         }
     }
 }

@@ -26,6 +26,10 @@ pub enum Intent {
     Help,
     Panel,
     Reload,
+    /// Judge the last edit of the shaders, or end that.
+    Judge,
+    /// Show what was judged, before and after.
+    Split,
     Fullscreen,
     Save,
     Quit,
@@ -148,6 +152,8 @@ impl Controls {
                 "f" => Some(Intent::FrameAll),
                 "r" => Some(Intent::Restart),
                 "c" => Some(Intent::PrintCamera),
+                "j" => Some(Intent::Judge),
+                "v" => Some(Intent::Split),
                 "b" => Some(Intent::Exposure(if self.shift { -0.5 } else { 0.5 })),
                 digit => digit.parse::<usize>().ok().filter(|n| (1..=9).contains(n)).map(|n| Intent::Camera(n - 1)),
             },

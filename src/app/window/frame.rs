@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use glam::UVec2;
 
+use super::judging::Judging;
 use super::panel::Outcome;
 use super::screen::physical_size;
 use super::session::Session;
@@ -47,8 +48,10 @@ impl Session {
         self.fly(elapsed, now);
         self.follow_view(now);
         self.follow_window(now);
+        self.take_judgement();
         let before = self.traced();
-        if self.working {
+        // Judging has the device to itself.
+        if self.working && !self.judging.as_ref().is_some_and(Judging::is_under_way) {
             self.step()?;
         }
         let pixel = self.pixel_under_pointer();
@@ -174,13 +177,13 @@ impl Session {
     fn draw(&mut self) -> Result<(), EngineError> {
         let begin = Instant::now();
         let fit = self.fit();
-        let Session { screen, engine, overlay, panel, .. } = self;
+        let Session { screen, engine, overlay, panel, judging, .. } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
                 outcome = panel.show(ui, engine);
             }
-            overlay.show(ui.ctx());
+            overlay.show(ui.ctx(), judging.as_ref().map(|judging| judging.line.as_str()));
         });
         self.redraw = screen.draw(engine, fit, paint)? == Drawn::Later;
         // Else the next step would take the time of drawing for that of its samples.
@@ -199,7 +202,10 @@ impl Session {
             self.pace.moved(now);
             self.fit_film();
         }
-        self.working |= outcome.edited || outcome.moved;
+        if outcome.edited || outcome.moved {
+            self.end_judging();
+            self.working = true;
+        }
         if let Some(name) = outcome.camera {
             self.choose_camera(&name, now);
         }

@@ -57,6 +57,8 @@ impl Session {
                 self.engine.reload();
                 self.look_again();
             }
+            Intent::Judge => self.toggle_judging(),
+            Intent::Split => self.toggle_split(),
             Intent::Fullscreen => {
                 let full = self.window.fullscreen().is_some();
                 self.window.set_fullscreen((!full).then_some(Fullscreen::Borderless(None)));
@@ -68,6 +70,7 @@ impl Session {
     }
 
     fn set_view(&mut self, view: Camera, now: Instant) {
+        self.end_judging();
         self.view = view;
         self.view_moved = true;
         self.pace.moved(now);

@@ -11,6 +11,8 @@ pub const KEYS: &[(&str, &str)] = &[
     ("R", "start the film anew"),
     ("B, Shift + B", "half a stop brighter, darker"),
     ("C", "print the camera as a line for the scene file"),
+    ("J", "judge the last edit of the shaders by what was there before"),
+    ("V", "what was judged: before on the left, after on the right"),
     ("F1", "this help"),
     ("F2", "the panel"),
     ("F5", "read shaders and scene again"),

@@ -11,7 +11,7 @@
 //! | `controls`, `keys` | events to intents; the table of keys |
 //! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
-//! | `saves` | what was saved meanwhile |
+//! | `saves`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
 //! | `panel` | numbers, curves, sliders |
 
 mod application;
@@ -20,6 +20,7 @@ mod controls;
 pub mod flight;
 mod frame;
 mod intents;
+mod judging;
 pub mod keys;
 pub mod navigate;
 mod overlay;

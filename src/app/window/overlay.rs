@@ -1,11 +1,12 @@
 //! What lies over the picture besides the panel: the keys, a notice, and problems that stand.
 
 use egui::{Align2, Color32, Context, RichText};
+use glam::UVec2;
 
 use super::keys::KEYS;
 
 /// What there is to show over the picture.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub struct Overlay {
     /// The keys are shown.
     pub help: bool,
@@ -13,27 +14,63 @@ pub struct Overlay {
     pub notice: Option<String>,
     /// Each stays until it is no longer listed: a shader that doesn't compile, a device that has no room.
     pub problems: Vec<String>,
+    /// A picture over the whole window, in place of the film: its size, and sRGB.
+    split: Option<(UVec2, Vec<[u8; 4]>)>,
+    /// The same, once it was drawn.
+    drawn: Option<egui::TextureHandle>,
 }
 
 impl Overlay {
     /// Whether nothing of it is to be seen.
     pub fn is_empty(&self) -> bool {
-        !self.help && self.notice.is_none() && self.problems.is_empty()
+        !self.help && self.notice.is_none() && self.problems.is_empty() && self.split.is_none()
     }
 
-    /// Draws it. Takes no input but for selecting the text of problems.
-    pub fn show(&self, context: &Context) {
+    /// Shows this in place of the film from now on.
+    pub fn show_split(&mut self, picture: Option<(UVec2, Vec<[u8; 4]>)>) {
+        (self.split, self.drawn) = (picture, None);
+    }
+
+    /// Draws it, and a line about what is judged. Takes no input but for selecting the text of problems.
+    pub fn show(&mut self, context: &Context, judged: Option<&str>) {
+        self.draw_split(context);
         show_problems(context, &self.problems);
+        if let Some(judged) = judged {
+            show_line(context, "judged", Align2::CENTER_TOP, judged);
+        }
         if let Some(notice) = &self.notice {
-            let area = egui::Area::new(egui::Id::unique("notice")).interactable(false).fade_in(false);
-            area.anchor(Align2::CENTER_BOTTOM, [0.0, -10.0]).show(context, |ui| {
-                egui::Frame::popup(ui.style()).show(ui, |ui| ui.add(egui::Label::new(notice).extend()));
-            });
+            show_line(context, "notice", Align2::CENTER_BOTTOM, notice);
         }
         if self.help {
             show_keys(context);
         }
     }
+}
+
+impl Overlay {
+    fn draw_split(&mut self, context: &Context) {
+        let Some((size, pixels)) = &self.split else { return };
+        let texture = self.drawn.get_or_insert_with(|| {
+            let size = [size.x as usize, size.y as usize];
+            let image = egui::ColorImage::from_rgba_unmultiplied(size, pixels.as_flattened());
+            context.load_texture("split", image, egui::TextureOptions::NEAREST)
+        });
+        let rect = context.viewport_rect();
+        let painter = context.layer_painter(egui::LayerId::background());
+        let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+        painter.image(texture.id(), rect, whole, Color32::WHITE);
+        let line = egui::Stroke::new(1.0, Color32::WHITE);
+        painter.vline(rect.center().x, rect.y_range(), line);
+    }
+}
+
+/// A line of text at an edge of the window.
+fn show_line(context: &Context, name: &str, at: Align2, text: &str) {
+    let area = egui::Area::new(egui::Id::unique(name)).interactable(false).fade_in(false);
+    let shift = if at == Align2::CENTER_TOP { 10.0 } else { -10.0 };
+    area.anchor(at, [0.0, shift]).show(context, |ui| {
+        egui::Frame::popup(ui.style()).show(ui, |ui| ui.add(egui::Label::new(text).extend()));
+    });
 }
 
 fn show_problems(context: &Context, problems: &[String]) {

@@ -27,6 +27,8 @@ impl Session {
                         [one, others @ ..] => format!("{} and {} others", one.to_string_lossy(), others.len()),
                     };
                     self.tell(format!("{what} taken up after {}: {restarts} anew", milliseconds(since_save)));
+                    self.end_judging();
+                    self.take_shaders(restarts.film);
                     if restarts.film {
                         self.film_began = Instant::now();
                     }

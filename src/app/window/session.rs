@@ -11,6 +11,7 @@ use winit::window::Window;
 use super::cameras;
 use super::controls::Controls;
 use super::flight::Flight;
+use super::judging::Judging;
 use super::overlay::Overlay;
 use super::pace::{self, Pace};
 use super::panel::Panel;
@@ -65,6 +66,12 @@ pub struct Session {
     opening: Opening,
     /// The cameras as the scene's file has them.
     pub(super) homes: BTreeMap<String, Camera>,
+    /// The shaders that are run, and those from before the last edit that changed what is traced.
+    pub(super) shaders: Library,
+    pub(super) old_shaders: Option<Library>,
+    pub(super) judging: Option<Judging>,
+    /// Before and after are shown side by side, where they were judged.
+    pub(super) split: bool,
     pub(super) controls: Controls,
     pub(super) pace: Pace,
     pub(super) overlay: Overlay,
@@ -103,7 +110,7 @@ impl Session {
         let (gpu, screen) = Screen::open(&window, &library)?;
         let mut engine = Engine::open(gpu.clone(), library.clone(), &opening.description)?;
         engine.set_live(true);
-        opening.watch(&mut engine, library);
+        opening.watch(&mut engine, library.clone());
         let (_, view) = engine.edit(cameras::view).ok_or(EngineError::NoCamera)?;
         let most_pixels = gpu.limits.max_storage_buffer_binding_size / size_of::<FilmPixel>() as u64;
         let now = Instant::now();
@@ -114,6 +121,10 @@ impl Session {
             gpu,
             homes: opening.opened.description.cameras.clone(),
             opening,
+            shaders: library,
+            old_shaders: None,
+            judging: None,
+            split: false,
             controls: Controls::default(),
             pace: Pace::new(most_pixels),
             overlay: Overlay::default(),
@@ -155,6 +166,10 @@ impl Session {
         &self.opening.description.name
     }
 
+    pub(super) fn wake(&self) -> EventLoopProxy<()> {
+        self.opening.wake.clone()
+    }
+
     pub fn has_quit(&self) -> bool {
         self.quit
     }
@@ -166,6 +181,7 @@ impl Session {
     /// The next step may find something to do.
     pub fn look_again(&mut self) {
         self.working = true;
+        self.redraw |= self.judging.is_some();
     }
 
     /// Something is to be drawn anew.
@@ -232,7 +248,7 @@ impl Session {
     }
 
     fn shows_ui(&self) -> bool {
-        self.panel.open || !self.overlay.is_empty()
+        self.panel.open || !self.overlay.is_empty() || self.judging.is_some()
     }
 
     /// When the next frame is due; none while nothing changes.
@@ -249,7 +265,9 @@ impl Session {
             return None;
         }
         let flies = self.flight.is_under_way() || self.controls.flight() != glam::DVec3::ZERO;
-        if self.working || self.redraw || self.view_moved || flies {
+        // Judging has the device to itself, and wakes the window when it has found something.
+        let working = self.working && !self.judging.as_ref().is_some_and(Judging::is_under_way);
+        if working || self.redraw || self.view_moved || flies {
             return Some(self.last_frame + pace::FRAME);
         }
         let pixel = self.pixel_under_pointer();

@@ -1,0 +1,196 @@
+//! The last edit of the shaders judged in the window: by two engines of a thread of their own, on the window's device.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread::JoinHandle;
+
+use glam::UVec2;
+use winit::event_loop::EventLoopProxy;
+
+use super::session::Session;
+use crate::app::failure::rendered;
+use crate::app::judge::{Judge, JudgeError, Look, Plan, SECONDS, UNCHANGED, marked};
+use crate::app::output;
+use crate::gpu::Gpu;
+use crate::scene::{self, SceneDescription};
+use crate::shader::Library;
+
+/// What the thread tells.
+enum Word {
+    /// A look, and the mean radiance of the films so far, the old shaders' first.
+    Look(Box<Look>, [Vec<[f32; 3]>; 2]),
+    Unchanged,
+    Failed(JudgeError),
+}
+
+/// Judging that is under way, or over.
+pub struct Judging {
+    words: Receiver<Word>,
+    stop: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+    /// Pixels of the pictures.
+    size: UVec2,
+    /// By which radiance is multiplied to be shown.
+    scale: f64,
+    /// Nothing more will come.
+    over: bool,
+    /// What was found so far, in one line.
+    pub line: String,
+    /// Half and half: the left of the old picture, the right of the new one, with the differing blocks marked.
+    pub split: Option<(UVec2, Vec<[u8; 4]>)>,
+}
+
+impl Judging {
+    /// Starts to judge. `wake` is called whenever there is something to take.
+    fn start(gpu: Arc<Gpu>, sides: [Library; 2], scene: SceneDescription, wake: EventLoopProxy<()>) -> Self {
+        let stop = Arc::new(AtomicBool::new(false));
+        let (sender, words) = channel();
+        let (film, told) = (scene.film, stop.clone());
+        let thread = std::thread::spawn(move || {
+            if let Err(error) = judge(&gpu, &sides, &scene, &told, &sender, &wake) {
+                let _ = sender.send(Word::Failed(error));
+            }
+            let _ = wake.send_event(());
+        });
+        Self {
+            words,
+            stop,
+            thread: Some(thread),
+            size: film.window().size(),
+            scale: f64::from(film.exposure).exp2(),
+            over: false,
+            line: "judging: compiling both".to_owned(),
+            split: None,
+        }
+    }
+
+    /// Whether more is to come.
+    pub fn is_under_way(&self) -> bool {
+        !self.over
+    }
+
+    /// Takes what has come. Whether there was anything.
+    fn take(&mut self) -> bool {
+        let words: Vec<Word> = self.words.try_iter().collect();
+        for word in &words {
+            match word {
+                Word::Look(look, pictures) => {
+                    self.over = look.ended.is_some();
+                    let state = if self.over { "judged" } else { "judging" };
+                    self.line = format!("{state}: {} ({} films of {} spp each)", look.line(), look.films, look.spp);
+                    self.split = Some((self.size, self.split_picture(look, pictures)));
+                }
+                Word::Unchanged => (self.over, self.line) = (true, format!("judged: {UNCHANGED}")),
+                Word::Failed(error) => (self.over, self.line) = (true, rendered(error, false)),
+            }
+        }
+        !words.is_empty()
+    }
+
+    fn split_picture(&self, look: &Look, [old, new]: &[Vec<[f32; 3]>; 2]) -> Vec<[u8; 4]> {
+        let [old, new] = [old, new].map(|picture| marked(picture, self.size, self.scale, &look.means));
+        let width = self.size.x.max(1) as usize;
+        let pixels = old.into_iter().zip(new).enumerate();
+        pixels.map(|(i, (old, new))| if 2 * (i % width) < width { old } else { new }).collect()
+    }
+}
+
+impl Drop for Judging {
+    fn drop(&mut self) {
+        self.stop.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
+            // A thread that panicked has said so.
+            let _ = thread.join();
+        }
+    }
+}
+
+fn judge(
+    gpu: &Arc<Gpu>,
+    [old, new]: &[Library; 2],
+    scene: &SceneDescription,
+    stop: &Arc<AtomicBool>,
+    words: &Sender<Word>,
+    wake: &EventLoopProxy<()>,
+) -> Result<(), JudgeError> {
+    let plan = Plan { spp: None, seconds: Some(SECONDS), films: None, alpha: 1e-3, seed: scene.render.seed };
+    let mut judge = Judge::open(gpu, [old, new], scene, plan)?;
+    judge.stop_by(stop.clone());
+    if !judge.changed() {
+        let _ = words.send(Word::Unchanged);
+        return Ok(());
+    }
+    while !stop.load(Ordering::Relaxed) {
+        let Some(look) = judge.advance()? else { continue };
+        let ended = look.ended.is_some();
+        // A window that has gone takes nothing.
+        let taken = words.send(Word::Look(Box::new(look), judge.pictures())).is_ok();
+        if ended || !taken {
+            break;
+        }
+        let _ = wake.send_event(());
+    }
+    Ok(())
+}
+
+impl Session {
+    /// Judges the last edit of the shaders, or ends that.
+    pub(super) fn toggle_judging(&mut self) {
+        if self.judging.take().is_some() {
+            self.notify("no longer judged".to_owned());
+            self.look_again();
+            return;
+        }
+        let Some(old) = self.old_shaders.clone() else {
+            return self.notify("nothing to judge yet: no edit has changed what is traced".to_owned());
+        };
+        let name = self.name().to_owned();
+        let scene = self.engine.edit(|world| scene::describe(world, &name));
+        let sides = [old, self.shaders.clone()];
+        self.judging = Some(Judging::start(self.gpu.clone(), sides, scene, self.wake()));
+        self.draw_again();
+    }
+
+    /// Takes up what judging has found; says the verdict in the terminal too.
+    pub(super) fn take_judgement(&mut self) {
+        let Some(judging) = &mut self.judging else { return };
+        if !judging.take() {
+            return;
+        }
+        if !judging.is_under_way() {
+            output::note(&judging.line);
+        }
+        let shown = judging.split.clone().filter(|_| self.split);
+        self.overlay.show_split(shown);
+        self.draw_again();
+    }
+
+    /// What is judged is the scene as it was: judging ends when that changes.
+    pub(super) fn end_judging(&mut self) {
+        if self.judging.take().is_some() {
+            self.overlay.show_split(None);
+        }
+    }
+
+    /// Shows the pictures of before and after side by side, or ends that.
+    pub(super) fn toggle_split(&mut self) {
+        self.split = !self.split;
+        let shown = self.judging.as_ref().and_then(|judging| judging.split.clone()).filter(|_| self.split);
+        if self.split && shown.is_none() {
+            self.notify("before and after, once judged (J)".to_owned());
+        }
+        self.overlay.show_split(shown);
+        self.draw_again();
+    }
+
+    /// Remembers the shaders from before an edit that changed what is traced.
+    pub(super) fn take_shaders(&mut self, traces: bool) {
+        let now = self.engine.library();
+        if traces && !now.is_same(&self.shaders) {
+            self.old_shaders = Some(std::mem::replace(&mut self.shaders, now));
+        } else {
+            self.shaders = now;
+        }
+    }
+}
