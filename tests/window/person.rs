@@ -1,5 +1,6 @@
 //! A person at the window: looks, moves, presses keys, leaves it alone, and quits. By real events on a display of its own.
 
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
@@ -30,8 +31,11 @@ struct Person {
 impl Person {
     /// Opens the Cornell box in a small window.
     fn new(more: &[&str]) -> Self {
+        Self::in_folder(tempfile::tempdir().unwrap(), more)
+    }
+
+    fn in_folder(folder: TempDir, more: &[&str]) -> Self {
         let display = Xvfb::start();
-        let folder = tempfile::tempdir().unwrap();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
         command.args(["view", "cornell-box", "--size", "192x144", "--spp", SPP]).args(more).current_dir(folder.path());
         command.env("DISPLAY", &display.name).env("WINIT_X11_SCALE_FACTOR", "1");
@@ -50,12 +54,14 @@ impl Person {
 
     /// Waits for a look at the window that is as wanted. A look that never came is kept where it can be looked at.
     fn see(&self, what: &str, wanted: impl Fn(&Screenshot) -> bool) -> Screenshot {
-        let kept = std::env::temp_dir().join("lucerna-window-test.png");
-        await_some(&format!("{what}; the window is in {}", kept.display()), || {
+        let kept = std::env::temp_dir().join(format!("lucerna-window{}.png", self.display.name.replace(':', "-")));
+        let seen = await_some(&format!("{what}; the window is in {}", kept.display()), || {
             let look = self.look();
             look.write(&kept);
             wanted(&look).then_some(look)
-        })
+        });
+        let _ = std::fs::remove_file(kept);
+        seen
     }
 
     /// Waits until the film has all its samples.
@@ -77,6 +83,15 @@ impl Person {
         let run = command.current_dir(self.folder.path()).output().unwrap();
         assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
         Screenshot::read(&file)
+    }
+
+    /// Presses Esc, and waits for the end. Returns what the process wrote to stderr.
+    fn quit(&mut self) -> String {
+        self.display.key(ESCAPE);
+        let status = await_some("the end", || self.process.try_wait().unwrap());
+        let stderr = std::fs::read_to_string(self.folder.path().join("stderr")).unwrap();
+        assert_eq!(status.code(), Some(0), "{stderr}");
+        stderr
     }
 
     /// Processor time of the process so far, in hundredths of a second, all threads together.
@@ -135,11 +150,37 @@ fn a_person_looks_moves_and_leaves() {
     let saved = person.folder.path().join("result/cornell-box-1.png");
     await_some("the saved picture", || (saved.exists() && saved.with_extension("exr").exists()).then_some(()));
 
-    person.display.key(ESCAPE);
-    let status = await_some("the end", || person.process.try_wait().unwrap());
-    let stderr = std::fs::read_to_string(person.folder.path().join("stderr")).unwrap();
-    assert_eq!(status.code(), Some(0), "{stderr}");
+    let stderr = person.quit();
     assert!(!stderr.contains("error"), "{stderr}");
+}
+
+/// A shader that doesn't compile does not end the window: its error is over the picture, and once in the terminal.
+#[test]
+fn a_broken_shader_is_shown_over_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    copy_folder(Path::new("shaders"), &folder.path().join("shaders"));
+    let shader = folder.path().join("shaders/passes/trace/path.wgsl");
+    let broken = std::fs::read_to_string(&shader).unwrap() + "\nfn broken() -> f32 { return 1u; }\n";
+    std::fs::write(&shader, broken).unwrap();
+    let mut person = Person::in_folder(folder, &[]);
+    let reddish = |pixel: &&[u8; 3]| pixel[0] > 40 && pixel[1] < 20 && pixel[2] < 20;
+    person.see("a red box with a message", |look| look.pixels.iter().filter(reddish).count() > 1000);
+    let before = person.ticks();
+    std::thread::sleep(Duration::from_millis(500));
+    assert!(person.ticks() - before <= 2, "what failed is tried again and again");
+    let stderr = person.quit();
+    assert_eq!(stderr.matches("shaders/passes/trace/path.wgsl:").count(), 1, "{stderr}");
+}
+
+fn copy_folder(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).unwrap();
+    for entry in std::fs::read_dir(from).unwrap().map(|entry| entry.unwrap()) {
+        let to = to.join(entry.file_name());
+        match entry.file_type().unwrap().is_dir() {
+            true => copy_folder(&entry.path(), &to),
+            false => drop(std::fs::copy(entry.path(), to).unwrap()),
+        }
+    }
 }
 
 /// A crop keeps its size and shape, with black beside it, whatever the window's.
@@ -160,9 +201,7 @@ fn a_crop_is_letterboxed() {
             assert_eq!(pixel(50 + x, y), headless.pixels[(v * 96 + u) as usize], "at {x}, {y}");
         }
     }
-    person.display.key(ESCAPE);
-    let status = await_some("the end", || person.process.try_wait().unwrap());
-    assert_eq!(status.code(), Some(0));
+    person.quit();
 }
 
 /// A finished film takes no processor time, and the window shows what it did.

@@ -63,8 +63,10 @@ pub struct Session {
     pub(super) hidden: bool,
     pub(super) quit: bool,
     pub(super) progress: Option<Progress>,
-    /// Why the last step failed.
-    pub(super) failure: Option<String>,
+    /// What failed when it was last tried, and why.
+    pub(super) failures: BTreeMap<&'static str, String>,
+    /// The film is to be saved once each pixel has a sample.
+    pub(super) saving: bool,
     pub(super) notice_ends: Option<Instant>,
     pub(super) ui_again: Option<Instant>,
     pub(super) last_frame: Instant,
@@ -107,7 +109,8 @@ impl Session {
             hidden: false,
             quit: false,
             progress: None,
-            failure: None,
+            failures: BTreeMap::new(),
+            saving: false,
             notice_ends: None,
             ui_again: None,
             last_frame: now,
@@ -200,7 +203,7 @@ impl Session {
         if response.consumed && visible {
             self.controls.let_go(event);
         } else if let Some(intent) = self.controls.event(event, f64::from(physical_size(&self.window).y)) {
-            self.act(intent)?;
+            self.act(intent);
         }
         Ok(())
     }

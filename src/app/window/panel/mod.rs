@@ -29,6 +29,15 @@ pub struct Outcome {
     pub camera: Option<String>,
 }
 
+impl Outcome {
+    /// Adds what was done in a later pass of the same frame.
+    pub fn add(&mut self, later: Outcome) {
+        self.edited |= later.edited;
+        self.moved |= later.moved;
+        self.camera = later.camera.or(self.camera.take());
+    }
+}
+
 /// The panel, and what it shows.
 pub struct Panel {
     pub open: bool,
