@@ -47,10 +47,19 @@ fn show_problems(context: &Context, problems: &[String]) {
             let room = room(context);
             ui.set_max_width(room.x);
             egui::ScrollArea::both().max_height(room.y).show(ui, |ui| {
-                for problem in problems {
-                    let text = RichText::new(problem.trim_end()).monospace().color(Color32::from_rgb(255, 205, 195));
-                    // Not wrapped: a mark below a source line points at the text above it.
-                    ui.add(egui::Label::new(text).selectable(true).extend());
+                ui.spacing_mut().item_spacing.y = 0.0;
+                for line in problems.iter().flat_map(|problem| problem.lines()) {
+                    let text = RichText::new(line).monospace().color(Color32::from_rgb(255, 205, 195));
+                    let label = egui::Label::new(text).selectable(true);
+                    // A source line is not wrapped: the mark below it points at the text above it.
+                    if line.contains(" | ") {
+                        ui.add(label.extend());
+                    } else {
+                        ui.scope(|ui| {
+                            ui.set_max_width(room.x);
+                            ui.add(label.wrap());
+                        });
+                    }
                 }
             });
         });

@@ -88,6 +88,7 @@ impl Session {
         engine.set_live(true);
         let (_, view) = engine.edit(cameras::view).ok_or(EngineError::NoCamera)?;
         let most_pixels = gpu.limits.max_storage_buffer_binding_size / size_of::<FilmPixel>() as u64;
+        let panel = Panel::new(features, gpu.is_software());
         let now = Instant::now();
         Ok(Session {
             window,
@@ -99,7 +100,7 @@ impl Session {
             controls: Controls::default(),
             pace: Pace::new(most_pixels),
             overlay: Overlay::default(),
-            panel: Panel::new(features),
+            panel,
             flight: Flight::default(),
             view,
             view_moved: false,
