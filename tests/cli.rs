@@ -85,6 +85,7 @@ fn help_says_what_there_is_and_exit_codes() {
 fn a_window_without_a_display_is_refused() {
     let text = refused(1, Path::new("."), &["view"]);
     assert!(text.contains("no display") && text.contains("lucerna render"), "{text}");
+    assert!(!text.contains(".rs:"), "the message names a source file:\n{text}");
 }
 
 #[test]

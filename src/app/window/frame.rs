@@ -187,8 +187,13 @@ impl Session {
                 None
             }
         };
-        self.overlay.problems = self.failures.values().cloned().collect();
+        self.list_problems();
         Ok(done)
+    }
+
+    /// Gathers all that is to stand over the picture.
+    fn list_problems(&mut self) {
+        self.overlay.problems = self.failures.values().cloned().collect();
     }
 
     /// Draws the picture there is, and what lies over it.
