@@ -1,5 +1,7 @@
 //! The window: its mathematics by themselves, and all of it on a display of its own.
 
+#[cfg(target_os = "linux")]
+mod edits;
 mod flight;
 mod inspect;
 mod keys;

@@ -7,6 +7,7 @@ use super::{SCENE, folder_with, lucerna, names, refused, rendered};
 fn a_window_without_a_display_is_refused() {
     let text = refused(1, std::path::Path::new("."), &["view"]);
     assert!(text.contains("no display") && text.contains("lucerna render"), "{text}");
+    assert!(!text.contains(".rs:"), "the message names a source file:\n{text}");
 }
 
 #[test]

@@ -88,20 +88,23 @@ fn a_pan_moves_both_points_across_the_view() {
 }
 
 #[test]
-fn zooming_never_passes_the_target() {
+fn zooming_never_passes_the_target_and_comes_back() {
     for camera in cameras() {
-        let closest = 1e-3 * distance(&camera);
+        let range = [1e-3, 1e3].map(|bound| bound * distance(&camera));
         let mut near = camera;
         for _ in 0..200 {
-            near = zoom(near, 0.8, closest);
+            near = zoom(near, 0.8, range);
             let ahead = (camera.look_at - near.position).dot(camera.look_at - camera.position);
-            assert!(ahead > 0.0 && distance(&near) > 0.999 * closest, "{near:?}");
+            assert!(ahead > 0.0 && distance(&near) > 0.999 * range[0], "{near:?}");
         }
-        assert!(distance(&near) < 1.001 * closest);
-        let far = zoom(near, 1000.0, closest);
-        assert!(far.position.distance(camera.position) < 1e-5 * (1.0 + camera.position.length()), "{far:?}");
-        // Who is nearer already is not pushed away.
-        assert_eq!(zoom(near, 0.5, 10.0 * closest), zoom(near, 1.0, 0.0));
+        assert!(distance(&near) < 1.001 * range[0]);
+        let back = zoom(near, 1000.0, range);
+        assert!(back.position.distance(camera.position) < 1e-5 * (1.0 + camera.position.length()), "{back:?}");
+        let far = (0..200).fold(camera, |far, _| zoom(far, 1.5, range));
+        assert!((distance(&far) / range[1] - 1.0).abs() < 1e-3, "{far:?}");
+        // Who is beyond a bound already is not thrown to it.
+        assert_eq!(zoom(near, 0.5, range.map(|bound| 10.0 * bound)), zoom(near, 1.0, [0.0, f64::MAX]));
+        assert_eq!(zoom(far, 2.0, range.map(|bound| 0.1 * bound)), zoom(far, 1.0, [0.0, f64::MAX]));
     }
 }
 

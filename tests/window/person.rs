@@ -1,5 +1,6 @@
 //! A person at the window: looks, moves, presses keys, leaves it alone, and quits. By real events on a display of its own.
 
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
@@ -7,6 +8,7 @@ use tempfile::TempDir;
 use x11rb::protocol::xproto::Window;
 
 use super::xvfb::{Screenshot, Xvfb, await_some};
+use crate::reload::copy;
 
 const F1: u32 = 0xffbe;
 const F2: u32 = 0xffbf;
@@ -20,20 +22,36 @@ const ONE: u32 = 0x31;
 const SPP: &str = "6";
 
 /// The binary with its window, and where it was started.
-struct Person {
-    display: Xvfb,
-    folder: TempDir,
-    process: Child,
-    window: Window,
+pub struct Person {
+    pub display: Xvfb,
+    pub folder: TempDir,
+    pub process: Child,
+    pub window: Window,
 }
 
 impl Person {
     /// Opens the Cornell box in a small window.
     fn new(more: &[&str]) -> Self {
-        let display = Xvfb::start();
+        Self::in_folder(tempfile::tempdir().unwrap(), "cornell-box", more)
+    }
+
+    /// Opens a copy of it, `scene.ron` with its model, beside a copy of the shaders: files that can be edited.
+    pub fn with_files() -> Self {
         let folder = tempfile::tempdir().unwrap();
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        copy(&root.join("shaders"), &folder.path().join("shaders"));
+        for name in ["cornell-box.obj", "cornell-box.mtl"] {
+            std::fs::copy(root.join("assets/models").join(name), folder.path().join(name)).unwrap();
+        }
+        let scene = std::fs::read_to_string(root.join("assets/scenes/cornell-box.ron")).unwrap();
+        std::fs::write(folder.path().join("scene.ron"), scene.replace("../models/", "")).unwrap();
+        Self::in_folder(folder, "scene.ron", &[])
+    }
+
+    fn in_folder(folder: TempDir, scene: &str, more: &[&str]) -> Self {
+        let display = Xvfb::start();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
-        command.args(["view", "cornell-box", "--size", "192x144", "--spp", SPP]).args(more).current_dir(folder.path());
+        command.args(["view", scene, "--size", "192x144", "--spp", SPP]).args(more).current_dir(folder.path());
         command.env("DISPLAY", &display.name).env("WINIT_X11_SCALE_FACTOR", "1");
         command.env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
         let file = |name: &str| std::fs::File::create(folder.path().join(name)).unwrap();
@@ -44,22 +62,28 @@ impl Person {
         Self { display, folder, process, window }
     }
 
-    fn look(&self) -> Screenshot {
+    pub fn look(&self) -> Screenshot {
         self.display.screenshot(self.window)
     }
 
     /// Waits for a look at the window that is as wanted. A look that never came is kept where it can be looked at.
-    fn see(&self, what: &str, wanted: impl Fn(&Screenshot) -> bool) -> Screenshot {
-        let kept = std::env::temp_dir().join("lucerna-window-test.png");
-        await_some(&format!("{what}; the window is in {}", kept.display()), || {
+    pub fn see(&self, what: &str, wanted: impl Fn(&Screenshot) -> bool) -> Screenshot {
+        let kept = std::env::temp_dir().join(format!("lucerna-window{}.png", self.display.name.replace(':', "-")));
+        let seen = await_some(&format!("{what}; the window is in {}", kept.display()), || {
             let look = self.look();
             look.write(&kept);
             wanted(&look).then_some(look)
-        })
+        });
+        let _ = std::fs::remove_file(kept);
+        // For whoever wants to look at what was seen.
+        if let Some(folder) = std::env::var_os("LUCERNA_SCREENSHOTS") {
+            seen.write(&Path::new(&folder).join(format!("{}.png", what.replace(' ', "-"))));
+        }
+        seen
     }
 
     /// Waits until the film has all its samples.
-    fn finish(&self) {
+    pub fn finish(&self) {
         let done = format!("{SPP} of {SPP} spp");
         await_some("the film to be finished", || self.display.title(self.window).contains(&done).then_some(()));
     }
@@ -71,12 +95,30 @@ impl Person {
 
     /// The same picture without a window.
     fn rendered(&self, size: &str, more: &[&str]) -> Screenshot {
+        self.rendered_by("cornell-box", size, more)
+    }
+
+    /// A scene file of the folder without a window.
+    pub fn rendered_scene(&self, scene: &str, size: &str) -> Screenshot {
+        self.rendered_by(scene, size, &[])
+    }
+
+    fn rendered_by(&self, scene: &str, size: &str, more: &[&str]) -> Screenshot {
         let file = self.folder.path().join("rendered.png");
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
-        command.args(["render", "cornell-box", "--quiet", "--spp", SPP, "--size", size, "-o"]).arg(&file).args(more);
+        command.args(["render", scene, "--quiet", "--spp", SPP, "--size", size, "-o"]).arg(&file).args(more);
         let run = command.current_dir(self.folder.path()).output().unwrap();
         assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
         Screenshot::read(&file)
+    }
+
+    /// Presses Esc, and waits for the end. Returns what the process wrote to stderr.
+    fn quit(&mut self) -> String {
+        self.display.key(ESCAPE);
+        let status = await_some("the end", || self.process.try_wait().unwrap());
+        let stderr = std::fs::read_to_string(self.folder.path().join("stderr")).unwrap();
+        assert_eq!(status.code(), Some(0), "{stderr}");
+        stderr
     }
 
     /// Processor time of the process so far, in hundredths of a second, all threads together.
@@ -135,11 +177,26 @@ fn a_person_looks_moves_and_leaves() {
     let saved = person.folder.path().join("result/cornell-box-1.png");
     await_some("the saved picture", || (saved.exists() && saved.with_extension("exr").exists()).then_some(()));
 
-    person.display.key(ESCAPE);
-    let status = await_some("the end", || person.process.try_wait().unwrap());
-    let stderr = std::fs::read_to_string(person.folder.path().join("stderr")).unwrap();
-    assert_eq!(status.code(), Some(0), "{stderr}");
+    let stderr = person.quit();
     assert!(!stderr.contains("error"), "{stderr}");
+}
+
+/// A shader that doesn't compile does not end the window: its error is over the picture, and once in the terminal.
+#[test]
+fn a_broken_shader_is_shown_over_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    copy(Path::new("shaders"), &folder.path().join("shaders"));
+    let shader = folder.path().join("shaders/passes/trace/path.wgsl");
+    let broken = std::fs::read_to_string(&shader).unwrap() + "\nfn broken() -> f32 { return 1u; }\n";
+    std::fs::write(&shader, broken).unwrap();
+    let mut person = Person::in_folder(folder, "cornell-box", &[]);
+    let reddish = |pixel: &&[u8; 3]| pixel[0] > 40 && pixel[1] < 20 && pixel[2] < 20;
+    person.see("a red box with a message", |look| look.pixels.iter().filter(reddish).count() > 1000);
+    let before = person.ticks();
+    std::thread::sleep(Duration::from_millis(500));
+    assert!(person.ticks() - before <= 2, "what failed is tried again and again");
+    let stderr = person.quit();
+    assert_eq!(stderr.matches("shaders/passes/trace/path.wgsl:").count(), 1, "{stderr}");
 }
 
 /// A crop keeps its size and shape, with black beside it, whatever the window's.
@@ -160,9 +217,7 @@ fn a_crop_is_letterboxed() {
             assert_eq!(pixel(50 + x, y), headless.pixels[(v * 96 + u) as usize], "at {x}, {y}");
         }
     }
-    person.display.key(ESCAPE);
-    let status = await_some("the end", || person.process.try_wait().unwrap());
-    assert_eq!(status.code(), Some(0));
+    person.quit();
 }
 
 /// A finished film takes no processor time, and the window shows what it did.

@@ -9,6 +9,7 @@ use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::window::{Window, WindowId};
 
+use super::reason;
 use super::session::{Opening, Session};
 use crate::app::{Exit, Failure, output};
 use crate::gpu::GpuError;
@@ -21,7 +22,7 @@ const PATIENCE: Duration = Duration::from_secs(10);
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("no window could be opened: {0}")]
 #[diagnostic(help("use `lucerna render`, which needs none"))]
-struct NoWindow(winit::error::OsError);
+struct NoWindow(String);
 
 /// The one window, from its opening to its end.
 pub struct Application {
@@ -78,7 +79,7 @@ impl ApplicationHandler for Application {
         let Some(opening) = self.opening.take() else { return };
         let window = match events.create_window(attributes(events, &opening)) {
             Ok(window) => Arc::new(window),
-            Err(error) => return self.fail(events, Failure::of(NoWindow(error))),
+            Err(error) => return self.fail(events, Failure::of(NoWindow(reason(&error)))),
         };
         match Session::open(window, opening) {
             Ok(session) => self.session = Some(session),

@@ -13,8 +13,7 @@ pub fn all(world: &mut World) -> BTreeMap<String, Camera> {
 
 /// The camera that is rendered, chosen as the engine does.
 fn rendered(world: &mut World) -> Option<(Entity, String, Camera)> {
-    let cameras = world.query::<(Entity, &Name, &Camera, Has<Active>)>();
-    let mut cameras = cameras;
+    let mut cameras = world.query::<(Entity, &Name, &Camera, Has<Active>)>();
     let found = cameras.iter(world).min_by_key(|(entity, name, _, active)| (!active, name.as_str(), *entity));
     found.map(|(entity, name, camera, _)| (entity, name.as_str().to_owned(), *camera))
 }
@@ -24,13 +23,11 @@ pub fn view(world: &mut World) -> Option<(String, Camera)> {
     rendered(world).map(|(_, name, camera)| (name, camera))
 }
 
-/// Moves the camera that is rendered.
-pub fn set_view(world: &mut World, view: Camera) {
-    if let Some((entity, _, camera)) = rendered(world)
-        && camera != view
-    {
-        world.entity_mut(entity).insert(view);
-    }
+/// Moves the camera that is rendered. Says whether it was elsewhere.
+pub fn set_view(world: &mut World, view: Camera) -> bool {
+    let Some((entity, ..)) = rendered(world).filter(|(.., camera)| *camera != view) else { return false };
+    world.entity_mut(entity).insert(view);
+    true
 }
 
 /// Looks through the camera of a name from now on, and puts it where it is to be.

@@ -54,8 +54,15 @@ impl Session {
         if self.working && !self.judging.as_ref().is_some_and(Judging::is_under_way) {
             self.step()?;
         }
+        if self.saving && self.progress.is_some_and(|progress| progress.spp >= 1) {
+            self.saving = false;
+            self.save()?;
+        }
         let pixel = self.pixel_under_pointer();
-        self.panel.look(&mut self.engine, pixel, self.film_began, now)?;
+        let looked = self.panel.look(&mut self.engine, pixel, self.film_began, now);
+        if !matches!(looked, Ok(false)) {
+            self.survive("looking at the film", looked)?;
+        }
         self.draw()?;
         let traced = Duration::from_secs_f64((self.traced() - before).max(0.0));
         self.drawing = (self.drawing * 3 + now.elapsed().saturating_sub(traced)) / 4;
@@ -106,11 +113,12 @@ impl Session {
             return;
         }
         let view = self.view;
-        self.engine.edit(|world| cameras::set_view(world, view));
+        if self.engine.edit(|world| cameras::set_view(world, view)) {
+            self.film_began = now;
+            self.working = true;
+        }
         self.view_moved = false;
         self.fit_film();
-        self.film_began = now;
-        self.working = true;
     }
 
     /// Gives the film the window's whole size, once nothing moves.
@@ -138,39 +146,65 @@ impl Session {
         }
     }
 
-    /// Runs the schedule once. What goes wrong is said once, and stays over the picture until a step succeeds.
+    /// Runs the schedule once.
     fn step(&mut self) -> Result<(), EngineError> {
         let begin = Instant::now();
         let before = self.traced();
         let budget = match self.pace.settles_at() {
             Some(_) => pace::MOVING_SAMPLE,
+            // A graphics card draws in no time; what a frame takes beyond that is waiting for the display.
+            None if !self.gpu.is_software() => pace::STEP,
             None => pace::still_step(self.drawing),
         };
-        match self.engine.step(budget) {
-            Ok(progress) => {
-                if self.progress.is_some_and(|before| progress.spp < before.spp) {
-                    self.film_began = begin;
-                }
-                let seconds = self.traced() - before;
-                self.pace.learn(progress.samples, seconds);
-                self.working = !progress.finished;
-                self.progress = Some(progress);
-                self.failure = None;
+        let stepped = self.engine.step(budget);
+        self.take_saves();
+        let Some(progress) = self.survive("tracing", stepped)? else {
+            // Until something changes, it would fail again.
+            self.working = false;
+            return Ok(());
+        };
+        if self.progress.is_some_and(|before| progress.spp < before.spp) {
+            self.film_began = begin;
+        }
+        let seconds = self.traced() - before;
+        self.pace.learn(progress.samples, seconds);
+        self.working = !progress.finished;
+        self.progress = Some(progress);
+        Ok(())
+    }
+
+    /// Goes on after an error, unless the device is lost: it is said once in the terminal, and stays over the picture until
+    /// the same succeeds.
+    pub(super) fn survive<T>(
+        &mut self,
+        what: &'static str,
+        result: Result<T, EngineError>,
+    ) -> Result<Option<T>, EngineError> {
+        let done = match result {
+            Ok(done) => {
+                self.failures.remove(what);
+                Some(done)
             }
             Err(EngineError::Gpu(error @ GpuError::Lost { .. })) => return Err(error.into()),
             Err(error) => {
                 let failure = Failure::engine(error);
                 let text = rendered(&*failure.report, false);
-                if self.failure.as_ref() != Some(&text) {
+                if self.failures.get(what) != Some(&text) {
                     failure.show();
                 }
-                self.failure = Some(text);
-                // Until something changes, it would fail again.
-                self.working = false;
+                self.failures.insert(what, text);
+                None
             }
-        }
-        self.take_saves();
-        Ok(())
+        };
+        self.list_problems();
+        Ok(done)
+    }
+
+    /// Gathers all that is to stand over the picture.
+    fn list_problems(&mut self) {
+        let standing = self.engine.problems();
+        let texts = standing.iter().map(|problem| rendered(&*problem.diagnostic, false));
+        self.overlay.problems = self.failures.values().cloned().chain(texts).collect();
     }
 
     /// Draws the picture there is, and what lies over it.
@@ -181,7 +215,7 @@ impl Session {
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
-                outcome = panel.show(ui, engine);
+                outcome.add(panel.show(ui, engine));
             }
             overlay.show(ui.ctx(), judging.as_ref().map(|judging| judging.line.as_str()));
         });

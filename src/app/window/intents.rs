@@ -18,19 +18,19 @@ use crate::systems::state::{Dirty, PackedScene};
 /// Stops of exposure, either way: what a scene file may say.
 const MOST_STOPS: f32 = 64.0;
 
-/// The nearest that zooming comes to its target, in sizes of the scene.
-const CLOSEST: f64 = 1e-4;
+/// The nearest that zooming comes to its target, and the farthest that it goes, in sizes of the scene.
+const ZOOM_RANGE: [f64; 2] = [1e-4, 1e3];
 
 impl Session {
     /// Does what was asked for.
-    pub(super) fn act(&mut self, intent: Intent) -> Result<(), EngineError> {
+    pub(super) fn act(&mut self, intent: Intent) {
         let now = Instant::now();
         match intent {
             Intent::Orbit(angle) => self.set_view(navigate::orbit(self.view, angle), now),
             Intent::Pan(shift) => self.set_view(navigate::pan(self.view, shift), now),
             Intent::Zoom(factor) => {
-                let closest = CLOSEST * self.scene_size();
-                self.set_view(navigate::zoom(self.view, factor, closest), now);
+                let range = ZOOM_RANGE.map(|bound| bound * self.scene_size());
+                self.set_view(navigate::zoom(self.view, factor, range), now);
             }
             Intent::FrameAll => self.frame_all(now),
             Intent::Camera(place) => {
@@ -63,10 +63,12 @@ impl Session {
                 let full = self.window.fullscreen().is_some();
                 self.window.set_fullscreen((!full).then_some(Fullscreen::Borderless(None)));
             }
-            Intent::Save => self.save()?,
+            Intent::Save => {
+                self.saving = true;
+                self.draw_again();
+            }
             Intent::Quit => self.quit(),
         }
-        Ok(())
     }
 
     fn set_view(&mut self, view: Camera, now: Instant) {
@@ -116,12 +118,9 @@ impl Session {
     }
 
     /// Saves the film. A file that can't be written is no reason to stop.
-    fn save(&mut self) -> Result<(), EngineError> {
-        let film = self.engine.film()?;
-        if film.spp == 0 {
-            self.notify("nothing saved: the first sample is not complete yet".to_owned());
-            return Ok(());
-        }
+    pub(super) fn save(&mut self) -> Result<(), EngineError> {
+        let film = self.engine.film();
+        let Some(film) = self.survive("saving", film)? else { return Ok(()) };
         let name = self.name().to_owned();
         let scene = self.engine.edit(|world| scene::describe(world, &name));
         match snapshot::save(Path::new("result"), &scene, &self.gpu.name(), &film) {

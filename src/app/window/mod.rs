@@ -43,7 +43,7 @@ use session::Opening;
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("no display to open a window on: {0}")]
 #[diagnostic(help("use `lucerna render`, which needs none"))]
-struct NoDisplay(winit::error::EventLoopError);
+struct NoDisplay(String);
 
 /// The loop of events ended by itself.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -57,9 +57,18 @@ pub fn has_display() -> bool {
         || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].iter().any(|v| set(v))
 }
 
+/// What a person needs to know of an error of the window library, which names places in its own source.
+fn reason(error: &impl std::fmt::Display) -> String {
+    let text = error.to_string();
+    match text.strip_prefix("os error at ").and_then(|rest| rest.split_once(": ")) {
+        Some((_, reason)) => reason.to_owned(),
+        None => text,
+    }
+}
+
 /// Opens a window on a scene, and returns once it is closed.
 pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
-    let events = EventLoop::new().map_err(|error| Failure::of(NoDisplay(error)))?;
+    let events = EventLoop::new().map_err(|error| Failure::of(NoDisplay(reason(&error))))?;
     let opened = arguments.flags.open(&arguments.scene, false)?;
     let wake = events.create_proxy();
     let mut application = Application::new(Opening::new(opened, arguments.flags.clone(), wake));

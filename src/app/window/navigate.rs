@@ -48,11 +48,11 @@ pub fn pan(camera: Camera, shift: DVec2) -> Camera {
     translate(camera, height * (shift.y * up - shift.x * right))
 }
 
-/// Multiplies the distance to the target by `factor`, above 0, and comes no closer than `closest`: never past it.
-pub fn zoom(camera: Camera, factor: f64, closest: f64) -> Camera {
+/// Multiplies the distance to the target by `factor`, above 0, and keeps it between `closest` and `farthest`: never past it.
+pub fn zoom(camera: Camera, factor: f64, [closest, farthest]: [f64; 2]) -> Camera {
     let from = distance(&camera);
-    // Whoever is closer already may leave, and not come nearer still.
-    let to = (from * factor).max(closest.min(from));
+    // Whoever is closer already may leave, and not come nearer still; and the same far away.
+    let to = (from * factor).max(closest.min(from)).min(farthest.max(from));
     Camera { position: camera.look_at + (camera.position - camera.look_at) * (to / from), ..camera }
 }
 

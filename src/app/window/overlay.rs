@@ -69,7 +69,10 @@ fn show_line(context: &Context, name: &str, at: Align2, text: &str) {
     let area = egui::Area::new(egui::Id::unique(name)).interactable(false).fade_in(false);
     let shift = if at == Align2::CENTER_TOP { 10.0 } else { -10.0 };
     area.anchor(at, [0.0, shift]).show(context, |ui| {
-        egui::Frame::popup(ui.style()).show(ui, |ui| ui.add(egui::Label::new(text).extend()));
+        egui::Frame::popup(ui.style()).show(ui, |ui| {
+            ui.set_max_width(room(context).x);
+            ui.add(egui::Label::new(text));
+        });
     });
 }
 
@@ -84,10 +87,19 @@ fn show_problems(context: &Context, problems: &[String]) {
             let room = room(context);
             ui.set_max_width(room.x);
             egui::ScrollArea::both().max_height(room.y).show(ui, |ui| {
-                for problem in problems {
-                    let text = RichText::new(problem.trim_end()).monospace().color(Color32::from_rgb(255, 205, 195));
-                    // Not wrapped: a mark below a source line points at the text above it.
-                    ui.add(egui::Label::new(text).selectable(true).extend());
+                ui.spacing_mut().item_spacing.y = 0.0;
+                for line in problems.iter().flat_map(|problem| problem.lines()) {
+                    let text = RichText::new(line).monospace().color(Color32::from_rgb(255, 205, 195));
+                    let label = egui::Label::new(text).selectable(true);
+                    // A source line is not wrapped: the mark below it points at the text above it.
+                    if line.contains(" | ") {
+                        ui.add(label.extend());
+                    } else {
+                        ui.scope(|ui| {
+                            ui.set_max_width(room.x);
+                            ui.add(label.wrap());
+                        });
+                    }
                 }
             });
         });

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::cameras;
 use super::session::Session;
-use crate::app::failure::{rendered, show};
+use crate::app::failure::show;
 use crate::app::output;
 use crate::systems::reload::ReloadEvent;
 
@@ -39,9 +39,6 @@ impl Session {
                 }
             }
         }
-        let standing = self.engine.problems();
-        let texts = standing.iter().map(|problem| rendered(&*problem.diagnostic, false));
-        self.overlay.problems = self.failure.iter().cloned().chain(texts).collect();
     }
 
     /// The cameras that the keys go to are those of the file, and the view is where the file has put it, if it has.

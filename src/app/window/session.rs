@@ -90,8 +90,10 @@ pub struct Session {
     pub(super) hidden: bool,
     pub(super) quit: bool,
     pub(super) progress: Option<Progress>,
-    /// Why the last step failed.
-    pub(super) failure: Option<String>,
+    /// What failed when it was last tried, and why.
+    pub(super) failures: BTreeMap<&'static str, String>,
+    /// The film is to be saved once each pixel has a sample.
+    pub(super) saving: bool,
     pub(super) notice_ends: Option<Instant>,
     pub(super) ui_again: Option<Instant>,
     pub(super) last_frame: Instant,
@@ -113,6 +115,7 @@ impl Session {
         opening.watch(&mut engine, library.clone());
         let (_, view) = engine.edit(cameras::view).ok_or(EngineError::NoCamera)?;
         let most_pixels = gpu.limits.max_storage_buffer_binding_size / size_of::<FilmPixel>() as u64;
+        let panel = Panel::new(features, gpu.is_software());
         let now = Instant::now();
         Ok(Session {
             window,
@@ -128,7 +131,7 @@ impl Session {
             controls: Controls::default(),
             pace: Pace::new(most_pixels),
             overlay: Overlay::default(),
-            panel: Panel::new(features),
+            panel,
             flight: Flight::default(),
             view,
             view_moved: false,
@@ -138,7 +141,8 @@ impl Session {
             hidden: false,
             quit: false,
             progress: None,
-            failure: None,
+            failures: BTreeMap::new(),
+            saving: false,
             notice_ends: None,
             ui_again: None,
             last_frame: now,
@@ -242,7 +246,7 @@ impl Session {
         if response.consumed && visible {
             self.controls.let_go(event);
         } else if let Some(intent) = self.controls.event(event, f64::from(physical_size(&self.window).y)) {
-            self.act(intent)?;
+            self.act(intent);
         }
         Ok(())
     }

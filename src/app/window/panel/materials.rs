@@ -6,6 +6,9 @@ use glam::Vec3;
 
 use crate::components::{Material, Name};
 
+/// Colours nearer than this are taken as one.
+const COLOUR_STEP: f32 = 1e-4;
+
 /// All materials by name, that under the pointer marked. Says whether one was written.
 pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>) -> bool {
     let mut query = world.query::<(&Name, &mut Material)>();
@@ -73,7 +76,13 @@ fn number(ui: &mut Ui, name: &str, slider: Slider) {
 fn colour(ui: &mut Ui, name: &str, value: &mut Vec3) {
     ui.label(name);
     ui.horizontal(|ui| {
-        ui.color_edit_button_rgb(value.as_mut());
+        // The button turns the colour into hue and saturation and back: what differs by a rounding was not touched.
+        let mut picked = value.to_array();
+        ui.color_edit_button_rgb(&mut picked);
+        let picked = Vec3::from_array(picked).max(Vec3::ZERO);
+        if !picked.abs_diff_eq(*value, COLOUR_STEP) {
+            *value = picked;
+        }
         for channel in value.as_mut() {
             ui.add(DragValue::new(channel).range(0.0..=1e3).speed(0.005).max_decimals(3));
         }

@@ -29,16 +29,26 @@ pub struct Outcome {
     pub camera: Option<String>,
 }
 
+impl Outcome {
+    /// Adds what was done in a later pass of the same frame.
+    pub fn add(&mut self, later: Outcome) {
+        self.edited |= later.edited;
+        self.moved |= later.moved;
+        self.camera = later.camera.or(self.camera.take());
+    }
+}
+
 /// The panel, and what it shows.
 pub struct Panel {
     pub open: bool,
+    software: bool,
     watch: Watch,
 }
 
 impl Panel {
-    /// Closed. `features` are all that shaders know.
-    pub fn new(features: Vec<String>) -> Self {
-        Self { open: false, watch: Watch::new(features) }
+    /// Closed. `features` are all that shaders know; `software` is whether the device is the processor.
+    pub fn new(features: Vec<String>, software: bool) -> Self {
+        Self { open: false, software, watch: Watch::new(features) }
     }
 
     /// Opens it, or closes it; passes are timed while it is open.
@@ -80,7 +90,7 @@ impl Panel {
                     let seen = self.watch.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
                     section(ui, "Materials", false, |ui| outcome.moved |= materials::show(ui, world, seen));
                 });
-                section(ui, "Passes", false, |ui| passes::show(ui, &self.watch));
+                section(ui, "Passes", false, |ui| passes::show(ui, &self.watch, self.software));
             });
         });
         outcome

@@ -117,11 +117,11 @@ impl Watch {
         }
         let one = self.pixel_due(pixel, stamp, now).is_some_and(|at| at <= now);
         if one {
+            self.pixel_look = Some((now, pixel, stamp));
             self.pixel = match pixel {
                 Some(pixel) => engine.edit(|world| inspect(world, pixel))?,
                 None => None,
             };
-            self.pixel_look = Some((now, pixel, stamp));
         }
         Ok(film || one)
     }
@@ -129,12 +129,14 @@ impl Watch {
     fn look_at_film(&mut self, engine: &mut Engine, stamp: Stamp, now: Instant) -> Result<(), EngineError> {
         let begin = Instant::now();
         let (began, traced) = stamp;
+        // Noted first: what fails is not tried again at once.
+        let last = self.film_look.replace((now, stamp));
         let report = engine.report()?;
         (self.spp, self.target, self.needed) = engine.edit(|world| {
             let scene = world.resource::<PackedScene>();
             (world.resource::<FilmProgress>().samples, scene.target, scene.features.iter().cloned().collect())
         });
-        if self.film_look.is_none_or(|(_, (last, _))| last != began) {
+        if last.is_none_or(|(_, (last, _))| last != began) {
             self.curve.clear();
         }
         self.error = None;
@@ -143,7 +145,7 @@ impl Watch {
             self.error = Some(error);
             self.add_point(now.duration_since(began).as_secs_f64(), error);
         }
-        if let Some((at, (_, before))) = self.film_look {
+        if let Some((at, (_, before))) = last {
             let seconds = now.duration_since(at).as_secs_f64().max(1e-3);
             self.samples_per_second = traced.saturating_sub(before) as f64 / seconds;
             let rays_per_sample = report.rays as f64 / report.samples.max(1) as f64;
@@ -151,7 +153,6 @@ impl Watch {
         }
         self.count_passes(&report);
         self.report = Some(report);
-        self.film_look = Some((now, stamp));
         self.film_cost = begin.elapsed();
         Ok(())
     }
