@@ -194,7 +194,8 @@ fn a_broken_shader_is_shown_over_the_picture() {
     person.see("a red box with a message", |look| look.pixels.iter().filter(reddish).count() > 1000);
     let before = person.ticks();
     std::thread::sleep(Duration::from_millis(500));
-    assert!(person.ticks() - before <= 2, "what failed is tried again and again");
+    // Trying again and again would take all of them; the watch has just begun, and reads its files.
+    assert!(person.ticks() - before <= 12, "what failed is tried again and again");
     let stderr = person.quit();
     assert_eq!(stderr.matches("shaders/passes/trace/path.wgsl:").count(), 1, "{stderr}");
 }
