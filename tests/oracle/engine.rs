@@ -87,7 +87,7 @@ fn equals_the_engine() {
     for sampler in [Sampler::Sobol, Sampler::Pcg] {
         judge("teapot", shipped("teapot", 24), Integrator::Path, sampler, 256);
         judge("glass", shipped("glass", 24), Integrator::Path, sampler, 2048);
-        judge("a thousand lights", thousand_lights(24), Integrator::Path, sampler, 6144);
+        judge("a thousand lights", thousand_lights(24), Integrator::Path, sampler, 8192);
         let mut under_sky = shipped("glass", 24);
         under_sky.environment = Some(sky_map());
         judge("glass under a sky", under_sky, Integrator::Path, sampler, 2048);
