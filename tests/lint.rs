@@ -150,3 +150,15 @@ fn an_unwanted_lint_ends() {
     run(&support::gpu(), Library::shipped(), &self::surfaces(), &VIEWS, 1, || true).unwrap();
     println!("a lint of eight kinds: {:?}", begin.elapsed());
 }
+
+/// An edit that keeps its promises is not warned of: directions uniform over the hemisphere, with their own pdf.
+#[test]
+fn another_sampler_with_its_own_pdf_is_right() {
+    let sampling =
+        planted("lib/sampling", "return Angle(sqrt(1.0 - u), sqrt(u));", "return Angle(1.0 - u, sqrt(u * (2.0 - u)));");
+    let lambert = Library::shipped().text("lib/bsdf/lambert").unwrap().to_owned();
+    let both =
+        sampling.with("lib/bsdf/lambert", &lambert.replace("return INV_PI * cos_theta;", "return 0.5 * INV_PI;"));
+    let shiny = [pack("pot", Reflector { ns: 200.0, ..grey(0.5, 0.45) })];
+    assert_eq!(flaws(&both, &shiny), []);
+}
