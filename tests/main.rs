@@ -19,6 +19,7 @@ mod judge;
 mod law;
 mod layout;
 mod light;
+mod lint;
 mod metrics;
 mod morton;
 mod mtl;

@@ -71,7 +71,7 @@ fn tell(event: &Value) -> bool {
 fn show_problems(event: &ReloadEvent) {
     let problems = match event {
         ReloadEvent::Failed { problems, .. } => problems,
-        ReloadEvent::Reloaded { warnings, .. } => warnings,
+        ReloadEvent::Reloaded { warnings, .. } | ReloadEvent::Linted { warnings, .. } => warnings,
         ReloadEvent::FirstPixels { .. } => return,
     };
     problems.iter().for_each(|problem| show(&*problem.diagnostic));
@@ -104,6 +104,11 @@ fn as_json(event: &ReloadEvent) -> Value {
         ReloadEvent::FirstPixels { since_save } => {
             json!({ "event": "first_pixels", "milliseconds": milliseconds(*since_save) })
         }
+        ReloadEvent::Linted { warnings, took } => json!({
+            "event": "linted",
+            "warnings": warnings.iter().map(problem).collect::<Vec<_>>(),
+            "milliseconds": milliseconds(*took),
+        }),
     }
 }
 

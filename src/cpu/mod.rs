@@ -10,6 +10,7 @@ pub mod efficiency;
 pub mod equal_means;
 pub mod film;
 pub mod intersect;
+pub mod lint;
 pub mod metrics;
 pub mod morton;
 pub mod oracle;

@@ -37,6 +37,11 @@ impl Runtime {
         &self.gpu
     }
 
+    /// The code that passes are linked from.
+    pub fn library(&self) -> &Library {
+        self.pipelines.library()
+    }
+
     /// The features that modules are linked with from now on.
     pub fn set_features<S: AsRef<str>>(&mut self, features: &[S]) {
         self.features = features.iter().map(|f| f.as_ref().to_owned()).collect();

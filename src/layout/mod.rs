@@ -9,6 +9,7 @@ pub mod alias;
 pub mod clear;
 pub mod film;
 pub mod light;
+pub mod lint;
 pub mod ray;
 pub mod sky;
 pub mod sort;
@@ -48,6 +49,9 @@ pub static ALL: &[&StructLayout] = &[
     &sort::SortDigit::LAYOUT,
     &sort::SortPlan::LAYOUT,
     &window::WindowParams::LAYOUT,
+    &lint::LintCase::LAYOUT,
+    &lint::LintAnswer::LAYOUT,
+    &lint::LintParams::LAYOUT,
 ];
 
 /// Every constant that WGSL can import from `package::gen`, module by module.

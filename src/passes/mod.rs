@@ -7,6 +7,7 @@ pub mod build;
 mod clear;
 pub mod extend;
 pub mod film;
+pub mod lint;
 mod pass;
 mod recording;
 pub mod sort;

@@ -1,6 +1,6 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, build, extend, film, sort, trace};
+use super::{CLEAR, Pass, build, extend, film, lint, sort, trace};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &[
@@ -22,4 +22,5 @@ pub static TABLE: &[&Pass] = &[
     &trace::PATH,
     &film::ACCUMULATE,
     &film::DISPLAY,
+    &lint::LINT,
 ];

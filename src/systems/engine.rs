@@ -134,9 +134,9 @@ impl Engine {
 
     /// Takes up what is saved from now on, in every step. `wake` is called, from another thread, when the next step has
     /// something to take up.
-    pub fn watch(&mut self, sources: Sources, wake: impl Fn() + Send + 'static) -> Result<(), WatchError> {
+    pub fn watch(&mut self, sources: Sources, wake: impl Fn() + Send + Sync + 'static) -> Result<(), WatchError> {
         let compiler = self.world.resource::<Device>().0.compiler();
-        self.world.insert_resource(Reload::start(sources, compiler, Box::new(wake))?);
+        self.world.insert_resource(Reload::start(sources, compiler, Arc::new(wake))?);
         Ok(())
     }
 

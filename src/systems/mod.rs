@@ -10,6 +10,7 @@ mod engine;
 mod extract;
 mod governor;
 pub mod inspect;
+pub mod lint;
 mod present;
 pub mod reload;
 mod report;

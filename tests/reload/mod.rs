@@ -1,6 +1,7 @@
 //! What is saved while the engine runs: taken up whole, or not at all, and only what depends on it starts anew.
 
 mod guide;
+mod lint;
 mod many;
 mod saves;
 mod scenes;
@@ -140,7 +141,7 @@ impl Bench {
         self.wait("reload", |event| match event {
             ReloadEvent::Reloaded { restarts, .. } => Some(restarts.to_string()),
             ReloadEvent::Failed { problems, .. } => panic!("{problems:?}"),
-            ReloadEvent::FirstPixels { .. } => None,
+            ReloadEvent::FirstPixels { .. } | ReloadEvent::Linted { .. } => None,
         })
     }
 

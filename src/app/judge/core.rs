@@ -14,8 +14,8 @@ use crate::cpu::blocks::Grid;
 use crate::cpu::efficiency::{Ratio, Trial, averages, pair_error, weights};
 use crate::cpu::equal_means::{MeansTest, block_side};
 use crate::gpu::Gpu;
-use crate::passes::extend;
 use crate::passes::table::TABLE;
+use crate::passes::{extend, lint};
 use crate::scene::SceneDescription;
 use crate::shader::{Features, Library, ShaderError};
 use crate::systems::EngineError;
@@ -267,7 +267,7 @@ impl Judge {
 
 /// Links all that an engine runs by both; fails on what is wrong with either.
 fn is_changed(old: &Library, new: &Library, features: &Features) -> Result<bool, ShaderError> {
-    let aside = [&extend::EXTEND, &extend::OCCLUDED].map(|pass| pass.module);
+    let aside = [&extend::EXTEND, &extend::OCCLUDED, &lint::LINT].map(|pass| pass.module);
     let mut changed = false;
     for pass in TABLE.iter().filter(|pass| !aside.contains(&pass.module)) {
         changed |= old.link(pass.module, features)?.fingerprint() != new.link(pass.module, features)?.fingerprint();

@@ -37,6 +37,13 @@ impl Session {
                 ReloadEvent::FirstPixels { since_save } => {
                     self.tell(format!("new pixels {} after the save", milliseconds(since_save)));
                 }
+                ReloadEvent::Linted { warnings, .. } => {
+                    warnings.iter().for_each(|warning| show(&*warning.diagnostic));
+                    if let Some(first) = warnings.first() {
+                        self.notify(first.diagnostic.to_string());
+                    }
+                    self.redraw = true;
+                }
             }
         }
     }

@@ -26,6 +26,8 @@ pub enum ReloadEvent {
     Failed { files: Vec<PathBuf>, problems: Vec<Problem>, since_save: Duration },
     /// The first samples, or the first picture, that came of it are there.
     FirstPixels { since_save: Duration },
+    /// Other code of surfaces was asked whether sampling and evaluation agree. What is wrong is a warning: it runs all the same.
+    Linted { warnings: Vec<Problem>, took: Duration },
 }
 
 /// What a reload makes start anew.

@@ -7,6 +7,7 @@
 
 mod assets;
 mod event;
+mod lint;
 mod shaders;
 mod take_up;
 mod watcher;
@@ -31,6 +32,7 @@ use crate::gpu::{Code, Compiler};
 use crate::scene::SceneDescription;
 use crate::shader::Library;
 use assets::SceneFiles;
+use lint::{Linter, Wake};
 use shaders::ShaderFolder;
 use watcher::Folders;
 use worker::{Message, Outcome, Worker};
@@ -62,6 +64,7 @@ pub struct Reload {
     /// What other code makes anew, from when it is put in place until the changes of the scene are known.
     code_restarts: Restarts,
     trial: Trial,
+    linter: Linter,
 }
 
 /// Problems by what they are about.
@@ -93,16 +96,18 @@ struct Trial {
 
 impl Reload {
     /// Starts to watch. `wake` is called, from another thread, when the next step has something to take up.
-    pub fn start(sources: Sources, compiler: Compiler, wake: Box<dyn Fn() + Send>) -> Result<Reload, WatchError> {
+    pub fn start(sources: Sources, compiler: Compiler, wake: Wake) -> Result<Reload, WatchError> {
         let (sender, messages) = channel();
         let (outcome_sender, outcomes) = channel();
         let folders = Folders::new(sender.clone())?;
+        let linter = Linter::new(sources.shaders.as_ref().map(|(_, library)| library.clone()), wake.clone());
         let shaders = sources.shaders.map(|(folder, library)| ShaderFolder::new(folder, &library, compiler));
         let (scene, description) = match sources.scene {
             Some((file, description, files)) => (Some(SceneFiles::new(file, &files)), Some(description)),
             None => (None, None),
         };
-        let worker = Worker { folders, shaders, scene, messages, outcomes: outcome_sender, wake };
+        let worker =
+            Worker { folders, shaders, scene, messages, outcomes: outcome_sender, wake: Box::new(move || wake()) };
         let worker = std::thread::spawn(move || worker.run());
         Ok(Reload {
             sender,
@@ -115,6 +120,7 @@ impl Reload {
             awaited: None,
             code_restarts: Restarts::default(),
             trial: Trial::default(),
+            linter,
         })
     }
 

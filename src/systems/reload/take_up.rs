@@ -7,13 +7,15 @@ use bevy_ecs::prelude::*;
 use super::event::{Problem, ReloadEvent, Restarts};
 use super::worker::Outcome;
 use super::{Reload, Taken};
+use crate::components::Name;
 use crate::gpu::{Code, GpuError};
+use crate::layout::trace::MaterialRecord;
 use crate::passes::Makes;
 use crate::scene::{self, Loaded};
 use crate::shader::ErrorKind;
 use crate::systems::engine::start_again;
 use crate::systems::governor::Governor;
-use crate::systems::state::{Batch, Device, Dirty, FilmProgress, no_fault};
+use crate::systems::state::{Batch, Device, Dirty, FilmProgress, PackedScene, no_fault};
 use crate::systems::{EngineError, Phase};
 
 /// Where the film and its counters are put aside while other code is on trial.
@@ -33,6 +35,8 @@ pub fn add_systems(schedule: &mut Schedule) {
 /// Takes up all that the worker has sent.
 fn take_up_saves(world: &mut World) {
     world.resource_scope(|world, mut reload: Mut<Reload>| {
+        let linted = reload.linter.take();
+        reload.events.extend(linted);
         let outcomes: Vec<Outcome> =
             reload.outcomes.get_mut().unwrap_or_else(PoisonError::into_inner).try_iter().collect();
         for outcome in outcomes {
@@ -80,6 +84,7 @@ fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
 /// Runs other code from now on, and puts the film aside that the old code made.
 fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
     let (old, changed) = world.resource_mut::<Device>().0.replace(code);
+    reload.linter.forget();
     for pass in changed {
         match pass.makes {
             Makes::Tree => reload.code_restarts.tree = true,
@@ -134,11 +139,22 @@ fn tell_what_restarts(mut reload: ResMut<Reload>, mut dirty: ResMut<Dirty>, mut 
 }
 
 /// Tells the first pixels, and ends the trial once every pixel has a sample.
-fn end_trial(mut reload: ResMut<Reload>, batch: Res<Batch>, progress: Res<FilmProgress>) {
+fn end_trial(
+    mut reload: ResMut<Reload>,
+    batch: Res<Batch>,
+    progress: Res<FilmProgress>,
+    device: Res<Device>,
+    scene: Res<PackedScene>,
+    names: Query<&Name>,
+) {
     if (batch.layers > 0 || progress.shown)
         && let Some(saved) = reload.awaited.take()
     {
         reload.events.push(ReloadEvent::FirstPixels { since_save: saved.elapsed() });
+        let named =
+            |(entity, record): (&Entity, &MaterialRecord)| Some((names.get(*entity).ok()?.to_string(), *record));
+        let materials = scene.materials.iter().zip(&scene.records).filter_map(named).collect();
+        reload.linter.start(device.0.gpu(), device.0.library(), materials);
     }
     if progress.samples > 0 {
         reload.trial.scene = None;
@@ -163,6 +179,7 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
     let problem = Problem::from(error);
     if let Some(code) = code {
         world.resource_mut::<Device>().0.replace(code);
+        reload.linter.forget();
         reload.problems.code = vec![problem.clone()];
     }
     if let Some(scene) = scene {

@@ -1,0 +1,29 @@
+//! A surface's code, asked about itself: what it draws, and what it says of given directions.
+
+use super::{Binding, Makes, Pass, Recording, Size};
+use crate::layout::lint::{LintAnswer, LintParams};
+
+/// `mixture_sample` and `mixture_evaluate` of the scene's own features.
+pub static LINT: Pass = Pass {
+    name: "lint",
+    module: "passes/lint/surface",
+    entry: "surface",
+    bindings: &[
+        Binding::params("LintParams"),
+        Binding::read("lint_cases", "array<LintCase>"),
+        Binding::read("lint_asked", "array<vec4<f32>>"),
+        Binding::write("lint_answers", "array<LintAnswer>"),
+    ],
+    makes: Makes::Answers,
+};
+
+/// Buffers for so many answers, beside `lint_cases`.
+pub fn buffers(answers: u32) -> Vec<(&'static str, u64)> {
+    let answers = u64::from(answers.max(1));
+    vec![("lint_asked", answers * 16), ("lint_answers", answers * size_of::<LintAnswer>() as u64)]
+}
+
+/// Records as many answers as `params` says.
+pub fn record(recording: &mut Recording, params: &LintParams) {
+    recording.run(&LINT, Size::Items(u64::from(params.count))).params(params);
+}
