@@ -4,8 +4,8 @@
 //! buffer [`LOOP_FAULTS`] tells how many invocations came to that, and the last loop in which one did. naga's own loop
 //! bounding counts each loop to 2^64, which stops nothing.
 //!
-//! Loops are left at their ends, and the buffer is written once, where the entry point returns: an early way out of a
-//! loop and an atomic are what lavapipe compiles slowly, and runs slowly.
+//! Loops are left at their ends, and the buffer is written once, where the entry point returns: an early way out of each
+//! loop, and atomics there, took lavapipe longer to compile.
 
 use naga::proc::ensure_block_returns;
 use naga::{
