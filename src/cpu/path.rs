@@ -4,7 +4,7 @@
 use glam::{DVec2, DVec3, UVec2};
 
 use super::bsdf::dielectric::Interface;
-use super::bsdf::{BsdfSample, Facing, Reflection};
+use super::bsdf::{Facing, Reflection};
 use super::connect::{Asked, LightSample, power_heuristic};
 use super::rng::{Source, sample_key};
 use super::sky::sky_arriving;
@@ -12,8 +12,8 @@ use super::triangles::{HitF64, TriangleSet};
 use crate::layout::light::LightTable;
 use crate::layout::sky::SkyTable;
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_DIRECTION,
-    SLOT_FILM, SLOT_LIGHT, SLOT_LIGHT_POINT, SLOT_LOBE, SLOT_ROULETTE, SampleKey, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_CHOICES,
+    SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -87,20 +87,27 @@ impl<'a> PathScene<'a> {
                 break;
             }
             let position = origin + hit.t * direction;
+            let first = bounce * DIMENSIONS_PER_BOUNCE;
+            let [light, lobe, roulette, _] = self.sampler.sample_4d(key, first + SLOT_CHOICES).to_array();
+            let point = self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT);
             let connection =
-                asked.as_ref().map(|asked| self.connect(asked, material, &facing, position, (key, bounce)));
+                asked.as_ref().map(|asked| self.connect(asked, material, &facing, position, (light, point)));
             if let Some(light) = connection.filter(|connection| connection.light != DVec3::ZERO) {
                 traced.rays += 1;
                 if self.sees(position, &light.from) {
                     traced.radiance += throughput * light.light;
                 }
             }
-            let Some(drawn) = self.scatter(material, &facing, key, bounce) else { break };
+            let u = self.sampler.sample_2d(key, first + SLOT_DIRECTION);
+            let drawn = Reflection::from(material).sample(&facing, lobe, u);
+            if drawn.weight.max_element() <= 0.0 {
+                break;
+            }
             throughput *= drawn.weight;
             eta_scale /= squeeze(material, &facing, drawn.direction);
             if self.roulette && bounce >= ROULETTE_BOUNCE {
                 let survival = (throughput.max_element() * eta_scale).min(1.0);
-                if self.sampler.sample_1d(key, bounce * DIMENSIONS_PER_BOUNCE + SLOT_ROULETTE) >= survival {
+                if roulette >= survival {
                     break;
                 }
                 throughput /= survival;
@@ -139,11 +146,9 @@ impl<'a> PathScene<'a> {
         material: &MaterialRecord,
         facing: &Facing,
         position: DVec3,
-        (key, bounce): (SampleKey, u32),
+        (pick, point): (f64, DVec2),
     ) -> Connection {
-        let first = bounce * DIMENSIONS_PER_BOUNCE;
-        let pick = self.sampler.sample_1d(key, first + SLOT_LIGHT);
-        let from = asked.draw(position, pick, self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT));
+        let from = asked.draw(position, pick, point);
         let above = from.direction.dot(facing.shading) > 0.0 && from.direction.dot(facing.geometric) > 0.0;
         let at = Reflection::from(material).evaluate(facing.shading, facing.wo, from.direction);
         let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
@@ -157,15 +162,6 @@ impl<'a> PathScene<'a> {
             Some(hit) => Some(hit.triangle.index) == light.triangle || hit.t >= light.distance * (1.0 - 2f64.powi(-16)),
             None => true,
         }
-    }
-
-    /// A new direction; none where it carries nothing.
-    fn scatter(&self, material: &MaterialRecord, facing: &Facing, key: SampleKey, bounce: u32) -> Option<BsdfSample> {
-        let first = bounce * DIMENSIONS_PER_BOUNCE;
-        let pick = self.sampler.sample_1d(key, first + SLOT_LOBE);
-        let direction = self.sampler.sample_2d(key, first + SLOT_DIRECTION);
-        let drawn = Reflection::from(material).sample(facing, pick, direction);
-        (drawn.weight.max_element() > 0.0).then_some(drawn)
     }
 }
 

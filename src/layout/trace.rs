@@ -165,12 +165,8 @@ gpu_consts! {
     pub const SLOT_FILM: u32 = 0;
     /// The point on a light, 2D.
     pub const SLOT_LIGHT_POINT: u32 = 2;
-    /// Which light, 1D.
-    pub const SLOT_LIGHT: u32 = 4;
-    /// Which lobe of the BSDF, 1D.
-    pub const SLOT_LOBE: u32 = 5;
-    /// Whether the path survives, 1D.
-    pub const SLOT_ROULETTE: u32 = 6;
+    /// Which light, which lobe of the BSDF, and whether the path survives: 4D, the last not used.
+    pub const SLOT_CHOICES: u32 = 4;
     /// The direction that a bounce draws, 2D: in the group of the next bounce's light.
     pub const SLOT_DIRECTION: u32 = 8;
     /// First bounce after which Russian roulette may end a path: paths of 4 segments are never cut.

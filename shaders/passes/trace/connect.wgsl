@@ -8,7 +8,21 @@ import package::gen::{TraceParams, NO_HIT};
 @if(lights) import package::lib::math::{largest_of};
 @if(sky_light) import package::passes::trace::sky::{draw_sky, sky_pdf};
 
-@if(lights) @group(0) @binding(6) var<storage, read> lights: array<LightRecord>;
+@if(lights) @group(0) @binding(6) var<storage, read> lights: array<vec4<u32>>;
+
+// By four words, as nodes are read.
+@if(lights)
+fn load_light(index: u32) -> LightRecord {
+    let at = 4u * index;
+    let a = lights[at];
+    let b = lights[at + 1u];
+    let c = lights[at + 2u];
+    let emission = lights[at + 3u];
+    return LightRecord(
+        bitcast<vec3<f32>>(a.xyz), bitcast<f32>(a.w), bitcast<vec3<f32>>(b.xyz), b.w,
+        bitcast<vec3<f32>>(c.xyz), c.w, bitcast<vec3<f32>>(emission.xyz), emission.w,
+    );
+}
 
 // Light that arrives at a point from one drawn direction.
 struct LightSample {
@@ -44,8 +58,8 @@ fn light_pdf(params: TraceParams, material: MaterialRecord, raw: vec3<f32>, dire
 @if(lights)
 fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>) -> LightSample {
     let drawn = alias_pick(pick, params.lights);
-    let own = drawn.rest < lights[drawn.column].threshold;
-    let light = lights[select(lights[drawn.column].other, drawn.column, own)];
+    let column = load_light(drawn.column);
+    let light = load_light(select(column.other, drawn.column, drawn.rest < column.threshold));
     let point = light_point(light, u);
     let raw = triangle_normal(light.a, light.b, light.c);
     let offset = point - position;

@@ -6,11 +6,11 @@
 import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
 import package::gen::{Hit, Ray, Triangle, NO_HIT, T_FAR};
 import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
-import package::gen::{SLOT_DIRECTION, SLOT_FILM, SLOT_LOBE};
-@if(roulette) import package::gen::{ROULETTE_BOUNCE, SLOT_ROULETTE};
+import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
+@if(roulette) import package::gen::{ROULETTE_BOUNCE};
 @if(dielectric && roulette) import package::gen::{MATERIAL_DIELECTRIC};
 @if(dielectric && roulette) import package::lib::bsdf::dielectric::{interface_of, squeeze_of};
-@if(lights || sky_light) import package::gen::{SLOT_LIGHT, SLOT_LIGHT_POINT};
+@if(lights || sky_light) import package::gen::{SLOT_LIGHT_POINT};
 @if(normals) import package::gen::{Shading};
 import package::lib::bsdf::mixture::{Facing, mixture_sample};
 @if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
@@ -20,7 +20,7 @@ import package::lib::intersect::{offset_ray_origin, surface_point, triangle_norm
 @if(emitters) import package::lib::light::{emitted};
 @if(lights || sky_light) import package::lib::light::{power_heuristic};
 import package::lib::math::{largest_of};
-import package::lib::rng::{sample_1d, sample_2d};
+import package::lib::rng::{sample_2d, sample_4d};
 @if(normals) import package::lib::normals::{interpolate_normal};
 @if(lights || sky_light) import package::passes::trace::connect::{LightSample, draw_light};
 @if(lights) import package::passes::trace::connect::{light_pdf};
@@ -30,11 +30,22 @@ import package::passes::trace::scene::{load_leaf, scene_extent};
 import package::passes::trace::traverse::{traverse};
 
 @group(0) @binding(2) var<storage, read> params: TraceParams;
-@group(0) @binding(3) var<storage, read> materials: array<MaterialRecord>;
+@group(0) @binding(3) var<storage, read> materials: array<vec4<u32>>;
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
 @if(normals) @group(0) @binding(5) var<storage, read> shading: array<Shading>;
 
 const LARGEST_F32: f32 = 0x1.fffffep+127;
+
+// By four words, as nodes are read.
+fn load_material(index: u32) -> MaterialRecord {
+    let at = 5u * index;
+    let kd = bitcast<vec4<f32>>(materials[at]);
+    let ks = materials[at + 1u];
+    let emission = bitcast<vec4<f32>>(materials[at + 2u]);
+    let tf = bitcast<vec4<f32>>(materials[at + 3u]);
+    let rest = bitcast<vec4<f32>>(materials[at + 4u]);
+    return MaterialRecord(kd.xyz, kd.w, bitcast<vec3<f32>>(ks.xyz), ks.w, emission.xyz, emission.w, tf.xyz, tf.w, rest.x, rest.y, 0u, 0u);
+}
 
 fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
     return (*state).bounce * DIMENSIONS_PER_BOUNCE + slot;
@@ -95,9 +106,9 @@ fn extend(state: ptr<function, PathState>, ray: Ray, extent: f32, looking: bool,
 }
 
 // Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel, as it would be
-// outside of glass. What refraction took on the way in, it gives back on the way out: such a path is not dim.
+// outside of glass. What refraction took on the way in, it gives back on the way out: such a path is not dim. `u` decides.
 @if(roulette)
-fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f32>) -> bool {
+fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f32>, u: f32) -> bool {
     @if(dielectric) {
         let crosses = dot(direction, surface.facing.geometric) < 0.0;
         if (crosses && (surface.material.flags & MATERIAL_DIELECTRIC) != 0u) {
@@ -107,22 +118,25 @@ fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f3
     let played = (*state).bounce >= ROULETTE_BOUNCE;
     let survival = select(1.0, min(1.0, largest_of((*state).throughput) * (*state).eta_scale), played);
     (*state).throughput /= survival;
-    return sample_1d((*state).key, dimension(state, SLOT_ROULETTE)) < survival;
+    return u < survival;
+}
+
+// A bounce's numbers in [0, 1) that choose one of several.
+struct Choices {
+    light: f32,
+    lobe: f32,
+    roulette: f32,
 }
 
 // Draws a new direction from the BSDF of the surface at the end of the ray. Whether the path goes on.
-fn scatter(state: ptr<function, PathState>, surface: Surface) -> bool {
-    let drawn = mixture_sample(
-        surface.material,
-        surface.facing,
-        sample_1d((*state).key, dimension(state, SLOT_LOBE)),
-        sample_2d((*state).key, dimension(state, SLOT_DIRECTION)),
-    );
+fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) -> bool {
+    let u = sample_2d((*state).key, dimension(state, SLOT_DIRECTION));
+    let drawn = mixture_sample(surface.material, surface.facing, choices.lobe, u);
     (*state).throughput *= drawn.weight;
     var alive = check(state, (*state).throughput, LARGEST_F32, surface.index);
     alive = alive && largest_of((*state).throughput) > 0.0;
     @if(roulette) {
-        alive = alive && survive(state, surface, drawn.direction);
+        alive = alive && survive(state, surface, drawn.direction, choices.roulette);
     }
     if (alive) {
         (*state).origin = offset_ray_origin(surface.position, surface.error, surface.facing.geometric, drawn.direction);
@@ -146,13 +160,9 @@ struct Connection {
 
 // Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by scatter().
 @if(lights || sky_light)
-fn connect(state: ptr<function, PathState>, surface: Surface) -> Connection {
-    let drawn = draw_light(
-        params,
-        surface.position,
-        sample_1d((*state).key, dimension(state, SLOT_LIGHT)),
-        sample_2d((*state).key, dimension(state, SLOT_LIGHT_POINT)),
-    );
+fn connect(state: ptr<function, PathState>, surface: Surface, pick: f32) -> Connection {
+    let u = sample_2d((*state).key, dimension(state, SLOT_LIGHT_POINT));
+    let drawn = draw_light(params, surface.position, pick, u);
     let at = mixture_evaluate(surface.material, surface.facing, drawn.direction);
     var light = vec3<f32>(0.0);
     if (drawn.pdf > 0.0 && at.pdf > 0.0) {
@@ -226,17 +236,19 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
     let missed = hit.triangle == NO_HIT;
     // Of a ray that missed: leaf 0, not used.
     let triangle = load_leaf(hit.leaf);
-    let material = materials[triangle.material];
+    let material = load_material(triangle.material);
     let raw = triangle_normal(triangle.a, triangle.b, triangle.c);
     let light = arriving(state, hit, triangle, material, raw);
     var shaded: Shaded;
     shaded.alive = gather(state, (*state).throughput * light, select(triangle.material, NO_MATERIAL, missed));
     if (shaded.alive && !missed && (*state).bounce + 1u < params.max_depth) {
         let surface = surface_at(triangle, hit, material, raw, -(*state).direction);
+        let u = sample_4d((*state).key, dimension(state, SLOT_CHOICES));
+        let choices = Choices(u.x, u.y, u.z);
         @if(lights || sky_light) {
-            shaded.connection = connect(state, surface);
+            shaded.connection = connect(state, surface, choices.light);
         }
-        shaded.alive = scatter(state, surface);
+        shaded.alive = scatter(state, surface, choices);
     } else {
         shaded.alive = false;
     }
