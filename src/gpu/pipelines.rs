@@ -143,10 +143,6 @@ impl Pipelines {
         &self.compiler
     }
 
-    pub fn library(&self) -> &Library {
-        &self.library
-    }
-
     /// The pipeline of `pass` under `features`, compiled if need be.
     pub fn get(&mut self, pass: &'static Pass, features: &Features) -> Result<Arc<Pipeline>, GpuError> {
         if let Some(pipeline) = self.known(pass, features) {

@@ -90,11 +90,6 @@ impl Runtime {
         self.pipelines.prepare(&passes, &self.features)
     }
 
-    /// The shaders that are run.
-    pub fn library(&self) -> &Library {
-        self.pipelines.library()
-    }
-
     /// What compiles edited shaders for this runtime, on any thread.
     pub fn compiler(&self) -> Compiler {
         self.pipelines.compiler().clone()
