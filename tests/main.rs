@@ -41,4 +41,5 @@ mod sort;
 mod statistics;
 mod support;
 mod tree;
+mod view;
 mod window;

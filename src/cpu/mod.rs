@@ -25,3 +25,4 @@ pub mod traverse;
 pub mod tree;
 pub mod tree_check;
 pub mod triangles;
+pub mod view;

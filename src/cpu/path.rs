@@ -190,7 +190,8 @@ pub fn camera_direction(params: &TraceParams, at: DVec2) -> DVec3 {
     (params.forward.as_dvec3() + s.x * params.right.as_dvec3() + s.y * params.up.as_dvec3()).normalize()
 }
 
-fn smooth_normal(corners: &Shading, b: [f64; 2]) -> Option<DVec3> {
+/// The interpolated normal at weights of the second and third corner, unit length; none where a corner has none or they cancel.
+pub fn smooth_normal(corners: &Shading, b: [f64; 2]) -> Option<DVec3> {
     let words = [corners.n0, corners.n1, corners.n2];
     if words.contains(&0) {
         return None;

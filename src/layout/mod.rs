@@ -15,6 +15,7 @@ pub mod sky;
 pub mod sort;
 pub mod trace;
 pub mod tree;
+pub mod view;
 pub mod window;
 
 use bytemuck::{Pod, Zeroable};
@@ -48,6 +49,7 @@ pub static ALL: &[&StructLayout] = &[
     &sort::SortParams::LAYOUT,
     &sort::SortDigit::LAYOUT,
     &sort::SortPlan::LAYOUT,
+    &view::ViewParams::LAYOUT,
     &window::WindowParams::LAYOUT,
     &lint::LintCase::LAYOUT,
     &lint::LintAnswer::LAYOUT,
@@ -56,7 +58,7 @@ pub static ALL: &[&StructLayout] = &[
 
 /// Every constant that WGSL can import from `package::gen`, module by module.
 pub static CONSTS: &[&[GpuConst]] =
-    &[alias::CONSTS, tree::CONSTS, ray::CONSTS, trace::CONSTS, film::CONSTS, sort::CONSTS];
+    &[alias::CONSTS, tree::CONSTS, ray::CONSTS, trace::CONSTS, film::CONSTS, sort::CONSTS, view::CONSTS];
 
 /// A struct as both Rust and WGSL lay it out.
 #[derive(Debug)]

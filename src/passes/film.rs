@@ -1,5 +1,6 @@
 //! The film: samples added to 64-bit fixed point, and the film as a picture.
 
+use super::recording::CallBuilder;
 use super::{Binding, Makes, Pass, Recording, Size, clear};
 use crate::layout::film::{AccumulateParams, DisplayParams, FilmCounters, FilmPixel};
 use crate::layout::trace::TraceParams;
@@ -70,8 +71,8 @@ pub fn accumulate_params(trace: &TraceParams, exponent: i32, first_pixel: u32) -
 }
 
 /// Records the picture of a film of so many pixels; `exposure` in stops.
-pub fn record_display(recording: &mut Recording, pixels: u32, exponent: i32, exposure: f32) {
-    recording.run(&DISPLAY, Size::Items(u64::from(pixels))).params(&display_params(pixels, exponent, exposure));
+pub fn record_display(recording: &mut Recording, pixels: u32, exponent: i32, exposure: f32) -> CallBuilder<'_> {
+    recording.run(&DISPLAY, Size::Items(u64::from(pixels))).params(&display_params(pixels, exponent, exposure))
 }
 
 /// What the display pass is told.

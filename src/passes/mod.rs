@@ -13,6 +13,7 @@ mod recording;
 pub mod sort;
 pub mod table;
 pub mod trace;
+pub mod view;
 
 pub use clear::{CLEAR, clear};
 pub use pass::{Access, Binding, Makes, Pass};

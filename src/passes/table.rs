@@ -1,6 +1,6 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, build, extend, film, lint, sort, trace};
+use super::{CLEAR, Pass, build, extend, film, lint, sort, trace, view};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &[
@@ -22,5 +22,6 @@ pub static TABLE: &[&Pass] = &[
     &trace::PATH,
     &film::ACCUMULATE,
     &film::DISPLAY,
+    &view::VIEW,
     &lint::LINT,
 ];

@@ -21,7 +21,7 @@ fn accumulate_batch(
     }
     let first_pixel = batch.first_row * scene.shot.window_width;
     film::record_accumulate(&mut frame.trace, &batch.params(&scene), scene.exponent, first_pixel);
-    progress.shown = false;
+    progress.outdate_beauty();
     progress.rows += batch.rows;
     if progress.rows == scene.shot.window_height {
         progress.rows = 0;

@@ -11,8 +11,11 @@ use super::present;
 use super::reload::{self, Problem, Reload, ReloadEvent, Sources, WatchError};
 use super::report::{self, FilmImage, Report};
 use super::schedule;
-use super::state::{Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, Live, PackedScene, Pending, Spent};
+use super::state::{
+    Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, Live, PackedScene, Pending, Spent, Viewed,
+};
 use crate::gpu::{Drawn, Fit, Gpu, GpuError, Paint, Runtime, Surface};
+use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
 
@@ -82,6 +85,7 @@ impl Engine {
         world.init_resource::<Frame>();
         world.init_resource::<Spent>();
         world.init_resource::<Live>();
+        world.init_resource::<Viewed>();
         world.init_resource::<Governor>();
         // A film that was never reset is of size zero.
         world.resource_mut::<Dirty>().film = true;
@@ -102,6 +106,16 @@ impl Engine {
     /// Has the picture follow the film batch by batch from now on, or only once it is finished.
     pub fn set_live(&mut self, on: bool) {
         self.world.resource_mut::<Live>().0 = on;
+    }
+
+    /// Has the picture show something else from the next step on. The film goes on as it was.
+    pub fn set_view(&mut self, mode: ViewMode) {
+        self.world.resource_mut::<Viewed>().0 = mode;
+    }
+
+    /// What the picture is to show.
+    pub fn view(&self) -> ViewMode {
+        self.world.resource::<Viewed>().0
     }
 
     /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.

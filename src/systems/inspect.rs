@@ -3,15 +3,15 @@
 //! Plain functions, no system: they ask the device, and change nothing in the world.
 
 use bevy_ecs::prelude::*;
-use glam::{UVec2, Vec3};
+use glam::UVec2;
 
 use super::EngineError;
 use super::state::{Device, FilmProgress, MeshSlot, PackedScene};
 use crate::components::{Name, UsesMaterial};
 use crate::cpu::film::pixel_mean;
+use crate::cpu::view::middle_ray;
 use crate::layout::film::FilmPixel;
-use crate::layout::ray::{Hit, NO_HIT, Ray, T_FAR};
-use crate::layout::trace::TraceParams;
+use crate::layout::ray::{Hit, NO_HIT};
 use crate::passes::{Recording, extend};
 
 /// A pixel, looked at closely.
@@ -60,15 +60,6 @@ pub fn inspect(world: &mut World, pixel: UVec2) -> Result<Option<Inspected>, Eng
     let (radiance, samples) = pixel_mean(&held, exponent);
     let bad = held.halves.iter().map(|half| half.bad).sum();
     Ok(Some(Inspected { pixel, radiance, samples, bad, surface: surface_of(world, hit.triangle) }))
-}
-
-/// The camera's ray through the middle of a pixel of the picture.
-fn middle_ray(shot: &TraceParams, pixel: UVec2) -> Ray {
-    let at = UVec2::new(shot.window_x, shot.window_y).as_vec2() + pixel.as_vec2() + 0.5;
-    let film = UVec2::new(shot.film_width, shot.film_height).as_vec2();
-    let (x, y) = (2.0 * at.x / film.x - 1.0, 1.0 - 2.0 * at.y / film.y);
-    let direction: Vec3 = (shot.forward + x * shot.right + y * shot.up).normalize();
-    Ray { origin: shot.position, t_min: 0.0, direction, t_max: T_FAR }
 }
 
 /// The mesh that has a triangle, and its material.

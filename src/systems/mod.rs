@@ -11,7 +11,7 @@ mod extract;
 mod governor;
 pub mod inspect;
 pub mod lint;
-mod present;
+pub mod present;
 pub mod reload;
 mod report;
 pub mod save;
@@ -40,7 +40,8 @@ pub enum Phase {
     Trace,
     /// Records their addition to the film.
     Accumulate,
-    /// Records the picture of a finished film, or of any that is watched, where that or the way it is shown changed.
+    /// Records the picture of a finished film, or of any that is watched, where that or the way it is shown changed;
+    /// or a view of what is seen first.
     Present,
     /// Plays what was recorded, and learns from the time it took.
     Submit,

@@ -6,12 +6,13 @@ use bevy_ecs::prelude::*;
 use glam::UVec2;
 
 use super::EngineError;
-use super::state::{Device, FilmProgress, PackedScene, Spent};
+use super::state::{Device, FilmProgress, PackedScene, Spent, Viewed};
 use crate::components::Crop;
 use crate::cpu::film::{film_mean, half_mean, pixel_mean, relative_error};
 use crate::gpu::PassTiming;
 use crate::layout::film::{BAD_LOG, BadSample, FilmCounters, FilmPixel};
 use crate::layout::tree::node_count;
+use crate::layout::view::ViewMode;
 use crate::passes::{Recording, film};
 
 /// The film, read back. Pixels go row by row from the top of the window.
@@ -62,7 +63,7 @@ pub struct Report {
     pub dispatches: BTreeMap<&'static str, u64>,
 }
 
-/// Reads the film back; shows it first, if its picture is an older one.
+/// Reads the film back; shows it first, if its picture is an older one or not what is viewed.
 pub(super) fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
     let progress = *world.resource::<FilmProgress>();
     let scene = world.resource::<PackedScene>();
@@ -74,19 +75,26 @@ pub(super) fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
     if count == 0 {
         return Err(EngineError::EmptyFilm);
     }
+    // A view that is on the screen stays there.
+    let is_viewed = world.resource::<Viewed>().0 != ViewMode::Beauty;
+    let held = if is_viewed { "film_picture" } else { "picture" };
     let device = &mut world.resource_mut::<Device>().0;
+    device.reserve(held, u64::from(count) * 4)?;
     let mut recording = Recording::default();
     if !progress.cleared {
         film::record_reset(&mut recording, count);
     }
-    if !progress.shown || !progress.cleared {
-        film::record_display(&mut recording, count, exponent, exposure);
+    if is_viewed || progress.shown != Some(ViewMode::Beauty) || !progress.cleared {
+        film::record_display(&mut recording, count, exponent, exposure).bind("picture", held);
     }
     device.play(&recording)?;
     let pixels: Vec<FilmPixel> = device.read_some("film", count as usize)?;
-    let picture: Vec<[u8; 4]> = device.read_some("picture", count as usize)?;
+    let picture: Vec<[u8; 4]> = device.read_some(held, count as usize)?;
     let mut progress = world.resource_mut::<FilmProgress>();
-    (progress.cleared, progress.shown) = (true, true);
+    progress.cleared = true;
+    if !is_viewed {
+        progress.shown = Some(ViewMode::Beauty);
+    }
     let as_f32 = |mean: [f64; 3]| mean.map(|channel| channel as f32);
     let half = |h: usize| pixels.iter().map(|p| as_f32(half_mean(&p.halves[h], exponent).0)).collect();
     Ok(FilmImage {

@@ -13,6 +13,7 @@ use crate::layout::light::{LightRecord, LightTable};
 use crate::layout::sky::SkyTable;
 use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
 use crate::layout::tree::Triangle;
+use crate::layout::view::ViewMode;
 use crate::passes::Recording;
 
 /// The device and all that is on it.
@@ -131,8 +132,15 @@ pub struct FilmProgress {
     pub rows: u32,
     /// The film's words were set to zero since it was reset.
     pub cleared: bool,
-    /// The picture shows this very film.
-    pub shown: bool,
+    /// What the picture shows of this very film and scene; none while it shows what was before.
+    pub shown: Option<ViewMode>,
+}
+
+impl FilmProgress {
+    /// The picture of the film, if it is that which is shown, is an older one from now on.
+    pub fn outdate_beauty(&mut self) {
+        self.shown = self.shown.filter(|mode| *mode != ViewMode::Beauty);
+    }
 }
 
 /// The samples this run of the schedule adds.
@@ -165,6 +173,10 @@ pub struct Frame {
 /// Somebody watches: the picture follows the film batch by batch.
 #[derive(Resource, Default)]
 pub struct Live(pub bool);
+
+/// What the picture is to show.
+#[derive(Resource, Default)]
+pub struct Viewed(pub ViewMode);
 
 /// Time this run of the schedule may take on the GPU.
 #[derive(Resource)]

@@ -8,6 +8,7 @@ use crate::layout::alias::AliasColumn;
 use crate::layout::light::LightRecord;
 use crate::layout::trace::{MaterialRecord, Shading};
 use crate::layout::tree::Triangle;
+use crate::layout::view::ViewMode;
 use crate::passes::{build, film};
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -93,7 +94,11 @@ fn reserve_film(
     dirty: Res<Dirty>,
 ) -> Result<(), EngineError> {
     if dirty.picture {
-        progress.shown = false;
+        progress.shown = None;
+    }
+    // Another tree has the same hits, but may have other steps to them.
+    if dirty.tree {
+        progress.shown = progress.shown.filter(|mode| *mode == ViewMode::Beauty);
     }
     if !dirty.film {
         return Ok(());

@@ -147,7 +147,7 @@ fn end_trial(
     scene: Res<PackedScene>,
     names: Query<&Name>,
 ) {
-    if (batch.layers > 0 || progress.shown)
+    if (batch.layers > 0 || progress.shown.is_some())
         && let Some(saved) = reload.awaited.take()
     {
         reload.events.push(ReloadEvent::FirstPixels { since_save: saved.elapsed() });
@@ -191,7 +191,7 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
         Some(film) => {
             let device = &mut world.resource_mut::<Device>().0;
             let restored = ASIDE.iter().all(|(from, to)| device.copy(to, from).is_ok());
-            *world.resource_mut::<FilmProgress>() = FilmProgress { shown: false, ..film };
+            *world.resource_mut::<FilmProgress>() = FilmProgress { shown: None, ..film };
             world.resource_mut::<Dirty>().film = !restored;
         }
         None => start_again(world),

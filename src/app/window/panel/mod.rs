@@ -1,7 +1,7 @@
 //! The panel: what the engine does, and what can be changed about it.
 //!
-//! Nothing is read back from the device while it is closed. Every change is an edit of components: the engine finds out by
-//! itself what it makes undone.
+//! Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
+//! engine finds out by itself what it makes undone.
 
 mod materials;
 mod passes;
@@ -21,7 +21,7 @@ use watch::Watch;
 /// What a person did in the panel.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
-    /// A component was written.
+    /// A component was written, or another view chosen.
     pub edited: bool,
     /// Something that the picture follows by the hand, like a moving camera.
     pub moved: bool,
@@ -84,6 +84,7 @@ impl Panel {
             egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 section(ui, "Progress", true, |ui| progress::show(ui, &self.watch));
                 section(ui, "Pixel", true, |ui| pixel::show(ui, self.watch.pixel.as_ref()));
+                section(ui, "View", true, |ui| outcome.edited |= settings::view(ui, engine));
                 engine.edit(|world| {
                     section(ui, "Camera", true, |ui| outcome.camera = settings::cameras(ui, world));
                     section(ui, "Settings", true, |ui| outcome.edited |= settings::show(ui, world));

@@ -1,10 +1,12 @@
-//! Cameras to choose from, and how the scene is rendered.
+//! Cameras and views to choose from, and how the scene is rendered.
 
 use bevy_ecs::prelude::*;
 use egui::{DragValue, Slider, Ui};
 
 use crate::app::window::cameras;
 use crate::components::{Energy, Film, Integrator, Render, Sampler};
+use crate::layout::view::ViewMode;
+use crate::systems::Engine;
 
 /// The scene's cameras by name. Returns the one that was clicked.
 pub fn cameras(ui: &mut Ui, world: &mut World) -> Option<String> {
@@ -19,6 +21,19 @@ pub fn cameras(ui: &mut Ui, world: &mut World) -> Option<String> {
         }
     });
     chosen
+}
+
+/// What the picture shows. Says whether another was chosen.
+pub fn view(ui: &mut Ui, engine: &mut Engine) -> bool {
+    let before = engine.view();
+    let mut mode = before;
+    ui.horizontal_wrapped(|ui| {
+        for (choice, name) in ViewMode::ALL {
+            ui.selectable_value(&mut mode, choice, name);
+        }
+    });
+    engine.set_view(mode);
+    mode != before
 }
 
 /// The settings of film and render. Says whether one was written.

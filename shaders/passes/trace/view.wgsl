@@ -1,0 +1,102 @@
+// What is seen first through the middle of every pixel, instead of the film.
+
+import package::gen::{Hit, Ray, Triangle, ViewParams, NO_HIT, T_FAR};
+import package::gen::{VIEW_ALBEDO, VIEW_COST, VIEW_DEPTH, VIEW_MATERIAL, VIEW_MOST_STEPS, VIEW_NORMAL};
+@if(normals) import package::gen::{Shading};
+import package::lib::camera::{camera_direction};
+import package::lib::colour::{srgb8};
+import package::lib::intersect::{triangle_normal};
+import package::lib::math::{largest_of};
+@if(normals) import package::lib::normals::{interpolate_normal};
+import package::passes::trace::scene::{load_leaf};
+import package::passes::trace::traverse::{closest_hit};
+
+@group(0) @binding(2) var<storage, read> params: ViewParams;
+@group(0) @binding(3) var<storage, read> materials: array<vec4<u32>>;
+@group(0) @binding(4) var<storage, read_write> picture: array<u32>;
+@if(normals) @group(0) @binding(5) var<storage, read> shading: array<Shading>;
+
+const BLACK: u32 = 0xff000000u;
+
+// Bytes as they are, not encoded: numbers and not light.
+fn word(bytes: vec3<u32>) -> u32 {
+    return bytes.x | bytes.y << 8u | bytes.z << 16u | BLACK;
+}
+
+// The same of numbers from 0 to 1.
+fn codes(v: vec3<f32>) -> u32 {
+    return word(vec3<u32>(clamp(v, vec3<f32>(0.0), vec3<f32>(1.0)) * 255.0 + 0.5));
+}
+
+// kd and ks are the first two of a record's five times four words.
+fn albedo(material: u32) -> vec3<f32> {
+    let kd = bitcast<vec3<f32>>(materials[5u * material].xyz);
+    let ks = bitcast<vec3<f32>>(materials[5u * material + 1u].xyz);
+    return kd + ks;
+}
+
+// Turned to where the ray came from; smooth where the triangle has normals of its own.
+fn normal_at(triangle: Triangle, hit: Hit, direction: vec3<f32>) -> vec3<f32> {
+    let raw = triangle_normal(triangle.a, triangle.b, triangle.c);
+    let unit = normalize(raw / largest_of(abs(raw)));
+    let geometric = select(unit, -unit, dot(unit, direction) > 0.0);
+    var normal = geometric;
+    @if(normals) {
+        normal = interpolate_normal(shading[triangle.index], hit.b1, hit.b2, geometric);
+    }
+    return normal;
+}
+
+// A colour that is not dark, from a hash of the material's index (PCG: O'Neill 2014).
+fn material_colour(index: u32) -> vec3<u32> {
+    let state = index * 747796405u + 2891336453u;
+    let mixed = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    let hash = (mixed >> 22u) ^ mixed;
+    return vec3<u32>(64u) + ((vec3<u32>(hash) >> vec3<u32>(0u, 8u, 16u)) & vec3<u32>(0xffu)) * 3u / 4u;
+}
+
+// From black by red and yellow to white.
+fn heat(steps: u32) -> vec3<u32> {
+    let v = min(steps, VIEW_MOST_STEPS) * 768u / VIEW_MOST_STEPS;
+    return min(max(vec3<u32>(v), vec3<u32>(0u, 256u, 512u)) - vec3<u32>(0u, 256u, 512u), vec3<u32>(255u));
+}
+
+fn seen(hit: Hit, direction: vec3<f32>) -> u32 {
+    if (hit.triangle == NO_HIT) {
+        return BLACK;
+    }
+    let triangle = load_leaf(hit.leaf);
+    var colour = BLACK;
+    switch params.mode {
+        case VIEW_ALBEDO: {
+            colour = srgb8(albedo(triangle.material));
+        }
+        case VIEW_NORMAL: {
+            colour = codes(0.5 * normal_at(triangle, hit, direction) + 0.5);
+        }
+        case VIEW_DEPTH: {
+            colour = codes(vec3<f32>(params.reach / (params.reach + hit.t)));
+        }
+        case VIEW_MATERIAL: {
+            colour = word(material_colour(triangle.material));
+        }
+        case VIEW_COST: {
+            colour = word(heat(hit.steps));
+        }
+        default: {
+        }
+    }
+    return colour;
+}
+
+@compute @workgroup_size(8, 8)
+fn view(@builtin(global_invocation_id) id: vec3<u32>) {
+    let shot = params.shot;
+    if (id.x >= shot.window_width || id.y >= shot.window_height) {
+        return;
+    }
+    let middle = vec2<f32>(id.xy + vec2<u32>(shot.window_x, shot.window_y)) + 0.5;
+    let direction = camera_direction(shot, middle);
+    let hit = closest_hit(Ray(shot.position, 0.0, direction, T_FAR), shot.root);
+    picture[id.y * shot.window_width + id.x] = seen(hit, direction);
+}

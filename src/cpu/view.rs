@@ -1,0 +1,91 @@
+//! What is seen first through the middle of every pixel. The twin of `passes/trace/view`.
+
+use glam::{DVec3, UVec2, Vec3};
+
+use super::display::srgb_byte;
+use super::intersect::{Fma, triangle_normal};
+use super::path::smooth_normal;
+use super::traverse::closest_hit;
+use super::tree::Tree;
+use crate::layout::ray::{Hit, NO_HIT, Ray, T_FAR};
+use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
+use crate::layout::tree::Triangle;
+use crate::layout::view::{
+    VIEW_ALBEDO, VIEW_COST, VIEW_DEPTH, VIEW_MATERIAL, VIEW_MOST_STEPS, VIEW_NORMAL, ViewParams,
+};
+
+/// A scene as the pass gets it.
+pub struct ViewScene<'a> {
+    pub tree: &'a Tree,
+    pub materials: &'a [MaterialRecord],
+    /// In scene order; empty: geometric normals everywhere.
+    pub shading: &'a [Shading],
+    pub fma: Fma,
+}
+
+/// The camera's ray through the middle of a pixel of the window.
+pub fn middle_ray(shot: &TraceParams, pixel: UVec2) -> Ray {
+    let at = UVec2::new(shot.window_x, shot.window_y).as_vec2() + pixel.as_vec2() + 0.5;
+    let film = UVec2::new(shot.film_width, shot.film_height).as_vec2();
+    let (x, y) = (2.0 * at.x / film.x - 1.0, 1.0 - 2.0 * at.y / film.y);
+    let direction: Vec3 = (shot.forward + x * shot.right + y * shot.up).normalize();
+    Ray { origin: shot.position, t_min: 0.0, direction, t_max: T_FAR }
+}
+
+impl ViewScene<'_> {
+    /// A picture word a pixel: r in the lowest byte, a = 255 in the highest.
+    pub fn view(&self, params: &ViewParams) -> Vec<u32> {
+        let shot = &params.shot;
+        let pixels = (0..shot.window_height).flat_map(|y| (0..shot.window_width).map(move |x| UVec2::new(x, y)));
+        pixels.map(|pixel| self.seen(params, &middle_ray(shot, pixel))).collect()
+    }
+
+    fn seen(&self, params: &ViewParams, ray: &Ray) -> u32 {
+        let hit = closest_hit(self.fma, ray, self.tree);
+        if hit.triangle == NO_HIT {
+            return word([0; 3]);
+        }
+        let triangle = &self.tree.leaves[hit.leaf as usize];
+        word(match params.mode {
+            VIEW_ALBEDO => {
+                let material = &self.materials[triangle.material as usize];
+                (material.kd + material.ks).to_array().map(|v| srgb_byte(f64::from(v)))
+            }
+            VIEW_NORMAL => self.normal(triangle, &hit, ray.direction).to_array().map(|v| code(0.5 * v + 0.5)),
+            VIEW_DEPTH => [code(f64::from(params.reach) / (f64::from(params.reach) + f64::from(hit.t))); 3],
+            VIEW_MATERIAL => material_colour(triangle.material),
+            VIEW_COST => heat(hit.steps),
+            _ => [0; 3],
+        })
+    }
+
+    fn normal(&self, triangle: &Triangle, hit: &Hit, direction: Vec3) -> DVec3 {
+        let raw = triangle_normal(self.fma, triangle.a, triangle.b, triangle.c).as_dvec3().normalize_or_zero();
+        let geometric = if raw.dot(direction.as_dvec3()) > 0.0 { -raw } else { raw };
+        let corners = self.shading.get(triangle.index as usize);
+        let smooth = corners.and_then(|corners| smooth_normal(corners, [f64::from(hit.b1), f64::from(hit.b2)]));
+        smooth.map_or(geometric, |n| if n.dot(geometric) < 0.0 { -n } else { n })
+    }
+}
+
+fn word([r, g, b]: [u8; 3]) -> u32 {
+    u32::from_le_bytes([r, g, b, 255])
+}
+
+fn code(value: f64) -> u8 {
+    (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+}
+
+/// A colour that is not dark, from a hash of the material's index (PCG: O'Neill 2014).
+fn material_colour(index: u32) -> [u8; 3] {
+    let state = index.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    let mixed = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    let hash = (mixed >> 22) ^ mixed;
+    [0, 8, 16].map(|shift| (64 + ((hash >> shift) & 0xff) * 3 / 4) as u8)
+}
+
+/// From black by red and yellow to white.
+fn heat(steps: u32) -> [u8; 3] {
+    let v = steps.min(VIEW_MOST_STEPS) * 768 / VIEW_MOST_STEPS;
+    [0, 256, 512].map(|from| v.saturating_sub(from).min(255) as u8)
+}

@@ -1,0 +1,135 @@
+//! What is seen first, instead of the film: each view against its twin, and when it is drawn.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::time::Duration;
+
+use bevy_ecs::prelude::*;
+use lucerna::Engine;
+use lucerna::components::{Camera, Material};
+use lucerna::cpu::tree::Tree;
+use lucerna::cpu::view::ViewScene;
+use lucerna::layout::trace::Shading;
+use lucerna::layout::tree::node_count;
+use lucerna::layout::view::ViewMode;
+use lucerna::scene;
+use lucerna::shader::Library;
+use lucerna::systems::present::view_params;
+use lucerna::systems::state::{Device, PackedScene};
+
+use crate::support;
+use crate::support::tracer::device_fma;
+
+const STEP: Duration = Duration::from_millis(100);
+const PIXELS: usize = 48 * 36;
+
+fn open(name: &str, spp: &str) -> Engine {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes").join(name).with_extension("ron");
+    let defines = [("film.size", "(48,36)"), ("render.spp", spp)].map(|(k, v)| (k.to_string(), v.to_string()));
+    let description = scene::load(&path, &defines).unwrap_or_else(|e| panic!("{e:?}")).description;
+    Engine::open(support::gpu(), Library::shipped(), &description).unwrap()
+}
+
+fn picture(engine: &mut Engine) -> Vec<u32> {
+    engine.edit(|world| world.resource::<Device>().0.read_some("picture", PIXELS)).unwrap()
+}
+
+/// How often `view` and `display` were dispatched so far.
+fn counts(engine: &Engine) -> [u64; 2] {
+    ["view", "display"].map(|pass| engine.dispatches().get(pass).copied().unwrap_or(0))
+}
+
+fn finish(engine: &mut Engine) {
+    while !engine.step(STEP).unwrap().finished {}
+}
+
+/// The picture that the twin makes of what the device holds.
+fn twin(world: &mut World, mode: ViewMode) -> Vec<u32> {
+    let fma = device_fma();
+    let scene = world.resource::<PackedScene>();
+    let device = &world.resource::<Device>().0;
+    let count = scene.triangles;
+    let nodes = device.read_some("nodes", node_count(count) as usize).unwrap();
+    let tree = Tree { leaves: device.read_some("leaves", count as usize).unwrap(), nodes };
+    let shading: Vec<Shading> =
+        if scene.normals { device.read_some("shading", count as usize).unwrap() } else { Vec::new() };
+    let seen = ViewScene { tree: &tree, materials: &scene.records, shading: &shading, fma };
+    seen.view(&view_params(scene, mode))
+}
+
+/// How many pixels differ by more than a code in any channel.
+fn differing(a: &[u32], b: &[u32]) -> usize {
+    let far = |(a, b): (&u32, &u32)| a.to_le_bytes().iter().zip(b.to_le_bytes()).any(|(a, b)| a.abs_diff(b) > 1);
+    a.iter().zip(b).filter(|pair| far(*pair)).count()
+}
+
+#[test]
+fn every_view_is_that_of_its_twin() {
+    for name in ["cornell-box", "teapot"] {
+        let mut engine = open(name, "1");
+        for (mode, named) in ViewMode::ALL.into_iter().filter(|(mode, _)| *mode != ViewMode::Beauty) {
+            engine.set_view(mode);
+            engine.step(STEP).unwrap();
+            let (got, right) = (picture(&mut engine), engine.edit(|world| twin(world, mode)));
+            let colours = right.iter().collect::<BTreeSet<_>>().len();
+            assert!(colours > 2, "{name}, {named}: {colours} colours show little");
+            // A device may round the direction otherwise, so that a ray at an edge sees what is beside it.
+            let far = differing(&got, &right);
+            println!("{name}, {named}: {colours} colours, {far} pixels differ");
+            assert!(far <= PIXELS / 400, "{name}, {named}: {far} pixels differ");
+        }
+    }
+}
+
+#[test]
+fn a_view_is_drawn_once_for_what_changed_and_the_film_goes_on() {
+    let mut plain = open("cornell-box", "4");
+    finish(&mut plain);
+    let film = plain.film().unwrap();
+    let beauty = picture(&mut plain);
+
+    let mut engine = open("cornell-box", "4");
+    engine.set_live(true);
+    engine.set_view(ViewMode::Normal);
+    finish(&mut engine);
+    assert_eq!(counts(&engine), [1, 0], "one view while the film is traced");
+    let normals = picture(&mut engine);
+    assert_eq!(engine.step(STEP).unwrap().dispatches, 0);
+    // To read the film is not to show it.
+    assert_eq!(engine.film().unwrap(), film);
+    assert_eq!(picture(&mut engine), normals);
+    assert_eq!(engine.step(STEP).unwrap().dispatches, 0);
+
+    let [_, displays] = counts(&engine);
+    engine.set_view(ViewMode::Albedo);
+    assert_eq!(engine.step(STEP).unwrap().dispatches, 1);
+    assert_eq!(counts(&engine), [2, displays], "another view");
+    engine.set_view(ViewMode::Beauty);
+    assert_eq!(engine.step(STEP).unwrap().dispatches, 1, "the film is as it was");
+    assert_eq!(counts(&engine), [2, displays + 1]);
+    assert_eq!(picture(&mut engine), beauty);
+    assert_eq!(engine.film().unwrap(), film);
+}
+
+#[test]
+fn a_view_follows_camera_and_materials() {
+    let mut engine = open("cornell-box", "1");
+    engine.set_view(ViewMode::Albedo);
+    finish(&mut engine);
+    let first = picture(&mut engine);
+    engine.edit(|world| {
+        let mut materials = world.query::<&mut Material>();
+        materials.iter_mut(world).for_each(|mut material| material.kd *= 0.5);
+    });
+    finish(&mut engine);
+    let darker = picture(&mut engine);
+    assert!(counts(&engine)[0] == 2 && differing(&first, &darker) > PIXELS / 4);
+    engine.edit(|world| {
+        let mut cameras = world.query::<&mut Camera>();
+        cameras.iter_mut(world).for_each(|mut camera| camera.fov_y *= 0.5);
+    });
+    finish(&mut engine);
+    assert_eq!(counts(&engine), [3, 0]);
+    let right = engine.edit(|world| twin(world, ViewMode::Albedo));
+    assert!(differing(&picture(&mut engine), &right) <= PIXELS / 400 && differing(&darker, &right) > 0);
+}
