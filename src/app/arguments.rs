@@ -186,7 +186,7 @@ impl From<IntegratorName> for Integrator {
 /// Samplers by their names on the command line.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum SamplerName {
-    /// Owen-scrambled Sobol points
+    /// Evenly spread points: a scrambled (0, 4)-sequence
     Sobol,
     /// Independent numbers
     Pcg,

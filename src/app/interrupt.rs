@@ -22,6 +22,11 @@ impl Interrupt {
         interrupt
     }
 
+    /// What the first signal sets.
+    pub fn flag(&self) -> Arc<AtomicBool> {
+        self.0.clone()
+    }
+
     /// Whether a signal has come.
     pub fn asked(&self) -> bool {
         self.0.load(Ordering::SeqCst)

@@ -10,9 +10,9 @@ use super::arguments::WatchArguments;
 use super::failure::show;
 use super::interrupt::Interrupt;
 use super::{Exit, Failure};
-use crate::gpu::Gpu;
-use crate::systems::Engine;
+use crate::gpu::{Gpu, GpuError};
 use crate::systems::reload::{Problem, ReloadEvent, Restarts};
+use crate::systems::{Engine, EngineError, Progress};
 
 /// Tracing between two looks at what was saved.
 const STEP: Duration = Duration::from_millis(30);
@@ -57,9 +57,31 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
                 return Ok(Exit::Done);
             }
         }
-        step = stepped.map_err(Failure::engine)?;
+        step = match stepped {
+            Ok(step) => step,
+            Err(lost @ EngineError::Gpu(GpuError::Lost { .. })) => return Err(Failure::engine(lost)),
+            Err(error) => {
+                let event = failure(Problem::from(error));
+                if !arguments.quiet {
+                    show_problems(&event);
+                }
+                if !tell(&as_json(&event)) {
+                    return Ok(Exit::Done);
+                }
+                // Until something is saved, it would fail again.
+                while !engine.has_saves() && !interrupt.asked() {
+                    let _ = woken.recv_timeout(IDLE);
+                }
+                Progress { samples: 0, ..step }
+            }
+        };
     }
     Ok(Exit::Done)
+}
+
+/// An error of the engine that no save can be held to.
+fn failure(problem: Problem) -> ReloadEvent {
+    ReloadEvent::Failed { files: Vec::new(), problems: vec![problem], since_save: Duration::ZERO }
 }
 
 /// Writes a line to stdout. False if nobody reads it.

@@ -169,12 +169,16 @@ impl Pipelines {
 
     /// Puts other code in place. Returns what was there, which can be put back, and the passes that run other code now.
     pub fn replace(&mut self, code: Code) -> (Code, Vec<&'static Pass>) {
-        let old = std::mem::take(&mut *self.compiler.in_use());
-        let is_new = |used: &&Use| old.get(used.pass.name).is_none_or(|o| !Arc::ptr_eq(&o.pipeline, &used.pipeline));
-        let changed = code.uses.iter().filter(is_new).map(|used| used.pass).collect();
+        self.kept = code.uses.iter().map(|used| ((used.pass.name, used.key.clone()), used.pipeline.clone())).collect();
+        let fresh: BTreeMap<&'static str, Use> = code.uses.into_iter().map(|used| (used.pass.name, used)).collect();
+        // At once, for whoever compiles meanwhile looks at what is in use.
+        let old = std::mem::replace(&mut *self.compiler.in_use(), fresh.clone());
+        let same = |name: &str, used: &Use| old.get(name).is_some_and(|o| Arc::ptr_eq(&o.pipeline, &used.pipeline));
+        let new = fresh.iter().filter(|(name, used)| !same(name, used)).map(|(_, used)| used.pass);
+        // What came into use while the code was compiled is compiled again when it is asked for.
+        let gone = old.iter().filter(|(name, _)| !fresh.contains_key(*name)).map(|(_, used)| used.pass);
+        let changed = new.chain(gone).collect();
         let library = std::mem::replace(&mut self.library, code.library);
-        self.kept.clear();
-        self.keep(code.uses);
         (Code { library, uses: old.into_values().collect() }, changed)
     }
 

@@ -171,6 +171,7 @@ impl Library {
                 self.read_folder(&path, &format!("{prefix}{name}/"))?;
             } else if let Some(stem) = name.strip_suffix(".wgsl") {
                 let text = fs::read_to_string(&path).map_err(|error| error.to_string());
+                let text = text.map(|text| text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text));
                 self.insert(&format!("{prefix}{stem}"), text);
             }
         }

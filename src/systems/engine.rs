@@ -165,6 +165,11 @@ impl Engine {
         standing.into_iter().flat_map(|all| all.code.iter().chain(&all.scene)).cloned().collect()
     }
 
+    /// Whether the next step has something to take up.
+    pub fn has_saves(&self) -> bool {
+        self.world.get_resource::<Reload>().is_some_and(Reload::waits)
+    }
+
     /// The scene as its files were last taken up.
     pub fn saved_scene(&self) -> Option<&SceneDescription> {
         self.world.get_resource::<Reload>()?.description.as_ref()

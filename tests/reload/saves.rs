@@ -135,3 +135,20 @@ fn files_come_and_go() {
     bench.reloaded();
     assert!(bench.engine.problems().is_empty());
 }
+
+/// As a change of branches does it.
+#[test]
+fn a_folder_that_goes_and_comes_back_is_watched_again() {
+    let mut bench = Bench::new();
+    for name in ["shaders/lib", "shaders"] {
+        let (folder, aside) = (bench.path(name), bench.path("aside"));
+        super::copy(&folder, &aside);
+        fs::remove_dir_all(&folder).unwrap();
+        bench.failed();
+        fs::rename(&aside, &folder).unwrap();
+        assert_eq!(bench.reloaded(), "nothing", "{name}");
+        assert!(bench.engine.problems().is_empty(), "{name}");
+        bench.replace(FILE, "srgb8(", "srgb8(0.9 * ");
+        assert_eq!(bench.reloaded(), "picture", "{name}");
+    }
+}

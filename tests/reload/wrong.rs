@@ -88,3 +88,63 @@ fn a_scene_that_the_engine_refuses_gives_way_to_the_last() {
     bench.reloaded();
     assert!(bench.film().pixels == before.pixels && bench.engine.problems().is_empty());
 }
+
+#[test]
+fn an_endless_loop_of_the_display_leaves_the_film() {
+    let mut bench = Bench::new();
+    let before = bench.film();
+    let display = "shaders/passes/display/display.wgsl";
+    let endless = "while (params.pixels > 0u) { linear *= 1.0; }";
+    let good = bench.replace(display, "picture[pixel] =", &format!("{endless}\n    picture[pixel] ="));
+    let dispatches = bench.dispatches(|bench| {
+        let (file, line, ..) = bench.failed();
+        assert_eq!((file.as_str(), line), (display, place(&bench.read(display), endless).0));
+    });
+    assert!(!dispatches.contains_key("path") && !dispatches.contains_key("clear"), "{dispatches:?}");
+    bench.write(display, &good);
+    bench.reloaded();
+    let after = bench.film();
+    assert!(before.pixels == after.pixels && before.picture == after.picture);
+}
+
+#[test]
+fn a_scene_that_first_asks_for_an_endless_loop_gives_way_to_the_last() {
+    let mut bench = Bench::new();
+    let before = bench.film();
+    let file = "shaders/lib/bsdf/dielectric.wgsl";
+    let squeeze = "return (at.a / at.b) * (at.a / at.b);";
+    let endless = "var a = at.a; while (a > 0.0) { a = at.a + at.b; } return a;";
+    let good = bench.replace(file, squeeze, endless);
+    assert_eq!(bench.reloaded(), "nothing");
+    let mtl = bench.replace("room.mtl", "Kd 0.5 0.5 0.5", "Kd 0.5 0.5 0.5\nillum 7\nNi 1.5");
+    let (found, .., message) = bench.failed();
+    assert!(found == file && message.contains("does not end"), "{found}: {message}");
+    assert!(bench.film().pixels == before.pixels || bench.engine.report().unwrap().bad_samples == 0);
+    bench.write(file, &good);
+    bench.reloaded();
+    bench.write("room.mtl", &(mtl + "# mended\n"));
+    bench.reloaded();
+    assert!(bench.film().pixels == before.pixels && bench.engine.problems().is_empty());
+}
+
+#[test]
+fn the_good_half_of_a_burst_is_taken_up_and_told_before_the_other() {
+    use lucerna::systems::reload::ReloadEvent;
+    let mut bench = Bench::new();
+    bench.replace("shaders/lib/sampling.wgsl", "return Angle(sqrt(1.0 - u)", "return Angle(0.5 * sqrt(1.0 - u)");
+    bench.replace("scene.ron", "max_depth: 3", "max_deep: 3");
+    let names = |files: &[std::path::PathBuf]| -> Vec<String> {
+        files.iter().map(|file| file.file_name().unwrap().to_string_lossy().into_owned()).collect()
+    };
+    let good = bench.wait("reload", |event| match event {
+        ReloadEvent::Reloaded { files, .. } => Some(names(files)),
+        ReloadEvent::Failed { .. } => panic!("told first"),
+        _ => None,
+    });
+    assert_eq!(good, ["sampling.wgsl"]);
+    let bad = bench.wait("failure", |event| match event {
+        ReloadEvent::Failed { files, .. } => Some(names(files)),
+        _ => None,
+    });
+    assert_eq!(bad, ["scene.ron"]);
+}

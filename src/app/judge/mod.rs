@@ -42,7 +42,11 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
         output::print(&report::unchanged(UNCHANGED, arguments.json))?;
         return Ok(Exit::Done);
     }
-    judge.warm_up()?;
+    judge.stop_by(interrupt.flag());
+    match judge.warm_up() {
+        Err(JudgeError::Stopped) => return Ok(Exit::Interrupted),
+        warm => warm?,
+    }
     let look = watch(&mut judge, arguments, &interrupt)?;
     let interrupted = look.ended.is_none();
     let changed = judge.changed();
@@ -84,7 +88,10 @@ fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -
     let mut meter = Meter::new("judge", goal, arguments.quiet);
     let mut spp = 0u32;
     loop {
-        let look = judge.advance()?;
+        let look = match judge.advance() {
+            Err(JudgeError::Stopped) => None,
+            look => look?,
+        };
         spp = spp.saturating_add(judge.spp().saturating_mul(2));
         meter.advance(2 * judge.samples(), spp);
         match (look, interrupt.asked()) {

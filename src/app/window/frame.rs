@@ -50,6 +50,9 @@ impl Session {
         self.follow_window(now);
         self.take_judgement();
         let before = self.traced();
+        if self.engine.has_saves() {
+            self.end_judging();
+        }
         // Judging has the device to itself.
         if self.working && !self.judging.as_ref().is_some_and(Judging::is_under_way) {
             self.step()?;

@@ -137,7 +137,8 @@ fn judge(
 impl Session {
     /// Judges the last edit of the shaders, or ends that.
     pub(super) fn toggle_judging(&mut self) {
-        if self.judging.take().is_some() {
+        if self.judging.is_some() {
+            self.end_judging();
             self.notify("no longer judged".to_owned());
             self.look_again();
             return;
@@ -187,6 +188,8 @@ impl Session {
     /// Remembers the shaders from before an edit that changed what is traced.
     pub(super) fn take_shaders(&mut self, traces: bool) {
         let now = self.engine.library();
+        // What was taken back is not there to be judged.
+        self.old_shaders = self.old_shaders.take().filter(|old| !old.is_same(&now));
         if traces && !now.is_same(&self.shaders) {
             self.old_shaders = Some(std::mem::replace(&mut self.shaders, now));
         } else {

@@ -7,7 +7,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("wheel, right drag", "come closer, go away"),
     ("W A S D, Q E", "fly; down and up"),
     ("F", "show the whole scene"),
-    ("1 to 9", "the scene's cameras by name, as the scene has them"),
+    ("1 to 9", "the scene's cameras in the order of their names, as the scene's file has them"),
     ("R", "start the film anew"),
     ("B, Shift + B", "half a stop brighter, darker"),
     ("C", "print the camera as a line for the scene file"),

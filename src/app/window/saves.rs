@@ -16,6 +16,7 @@ impl Session {
             match event {
                 ReloadEvent::Failed { problems, .. } => {
                     problems.iter().for_each(|problem| show(&*problem.diagnostic));
+                    self.take_shaders(false);
                     self.redraw = true;
                 }
                 ReloadEvent::Reloaded { files, restarts, warnings, since_save } => {
@@ -24,7 +25,7 @@ impl Session {
                     let what = match names.as_slice() {
                         [] => "everything".to_owned(),
                         [one] => one.to_string_lossy().into_owned(),
-                        [one, others @ ..] => format!("{} and {} others", one.to_string_lossy(), others.len()),
+                        [one, others @ ..] => format!("{} and {} more", one.to_string_lossy(), others.len()),
                     };
                     self.tell(format!("{what} taken up after {}: {restarts} anew", milliseconds(since_save)));
                     self.end_judging();

@@ -14,8 +14,9 @@ mod watcher;
 mod worker;
 
 use std::path::PathBuf;
-use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 use std::time::Instant;
 
@@ -59,6 +60,13 @@ pub struct Reload {
     pub events: Vec<ReloadEvent>,
     /// What was taken up in this run of the schedule.
     taken: Vec<Taken>,
+    /// What could not be taken up in it: told after what was.
+    refused: Vec<ReloadEvent>,
+    /// The scene, or the code, had to give way to an older one, and is tried again when the other changes.
+    retry_scene: bool,
+    retry_code: bool,
+    /// An outcome waits to be taken up.
+    waits: Arc<AtomicBool>,
     /// When the save happened whose first pixels are not there yet.
     awaited: Option<Instant>,
     /// What other code makes anew, from when it is put in place until the changes of the scene are known.
@@ -87,6 +95,8 @@ struct Trial {
     code: Option<Code>,
     /// The code that runs now has shown a whole sample.
     passed: bool,
+    /// What the code on trial makes anew.
+    restarts: Restarts,
     scene: Option<SceneDescription>,
     /// How far the film was that was put aside.
     film: Option<FilmProgress>,
@@ -106,8 +116,16 @@ impl Reload {
             Some((file, description, files)) => (Some(SceneFiles::new(file, &files)), Some(description)),
             None => (None, None),
         };
-        let worker =
-            Worker { folders, shaders, scene, messages, outcomes: outcome_sender, wake: Box::new(move || wake()) };
+        let waits = Arc::new(AtomicBool::new(false));
+        let worker = Worker {
+            folders,
+            shaders,
+            scene,
+            messages,
+            outcomes: outcome_sender,
+            wake: Box::new(move || wake()),
+            waits: waits.clone(),
+        };
         let worker = std::thread::spawn(move || worker.run());
         Ok(Reload {
             sender,
@@ -117,11 +135,20 @@ impl Reload {
             problems: Standing::default(),
             events: Vec::new(),
             taken: Vec::new(),
+            refused: Vec::new(),
+            retry_scene: false,
+            retry_code: false,
+            waits,
             awaited: None,
             code_restarts: Restarts::default(),
             trial: Trial::default(),
             linter,
         })
+    }
+
+    /// Whether the next step has something to take up.
+    pub fn waits(&self) -> bool {
+        self.waits.load(Ordering::Acquire)
     }
 
     /// Has everything read again, changed or not.

@@ -31,7 +31,14 @@ impl ShaderFolder {
         let library = match Library::open(&self.folder) {
             Ok(library) => library,
             Err(_) if patient => return Look::Unfinished,
-            Err(error) => return Look::Changed { files: vec![self.folder.clone()], result: Err(vec![error.into()]) },
+            Err(error) => {
+                // Told once. Whatever comes back is another folder, also with the same files in it.
+                if self.seen.is_empty() {
+                    return Look::Same;
+                }
+                self.seen.clear();
+                return Look::Changed { files: vec![self.folder.clone()], result: Err(vec![error.into()]) };
+            }
         };
         let now = hashes(&library);
         let mut changed: Vec<&String> =

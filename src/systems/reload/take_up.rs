@@ -1,6 +1,7 @@
 //! Puts in place what the worker made, tells what that restarts, and brings back what was there if it fails.
 
 use std::sync::PoisonError;
+use std::sync::atomic::Ordering;
 
 use bevy_ecs::prelude::*;
 
@@ -35,6 +36,7 @@ pub fn add_systems(schedule: &mut Schedule) {
 /// Takes up all that the worker has sent.
 fn take_up_saves(world: &mut World) {
     world.resource_scope(|world, mut reload: Mut<Reload>| {
+        reload.waits.store(false, Ordering::Release);
         let linted = reload.linter.take();
         reload.events.extend(linted);
         let outcomes: Vec<Outcome> =
@@ -46,38 +48,49 @@ fn take_up_saves(world: &mut World) {
 }
 
 fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
-    let Outcome { saved, files, code, scene } = outcome;
-    let (mut good, mut problems, mut warnings) = (false, Vec::new(), Vec::new());
+    let Outcome { saved, code, scene } = outcome;
+    let (mut good, mut bad) = (Vec::new(), Vec::new());
+    let (mut any_good, mut problems, mut warnings) = (false, Vec::new(), Vec::new());
     match code {
-        Some(Ok(code)) => {
-            good = true;
+        Some((files, Ok(code))) => {
+            (any_good, good) = (true, files);
             reload.problems.code.clear();
             put_code(world, reload, code);
+            // A scene that had to give way may do so no longer.
+            if std::mem::take(&mut reload.retry_scene) {
+                reload.force();
+            }
         }
-        Some(Err(found)) => {
+        Some((files, Err(found))) => {
+            bad = files;
             problems.extend(found.iter().cloned());
             reload.problems.code = found;
         }
         None => {}
     }
     match scene {
-        Some(Ok(loaded)) => {
-            good = true;
+        Some((files, Ok(loaded))) => {
+            any_good = true;
+            good.extend(files);
             reload.problems.scene.clear();
             warnings = put_scene(world, reload, *loaded);
+            if std::mem::take(&mut reload.retry_code) {
+                reload.force();
+            }
         }
-        Some(Err(found)) => {
+        Some((files, Err(found))) => {
+            bad.extend(files);
             problems.extend(found.iter().cloned());
             reload.problems.scene = found;
         }
         None => {}
     }
-    if good {
-        reload.trial.files.clone_from(&files);
-        reload.taken.push(Taken { saved, files: files.clone(), warnings });
+    if any_good {
+        reload.trial.files.clone_from(&good);
+        reload.taken.push(Taken { saved, files: good, warnings });
     }
     if !problems.is_empty() {
-        reload.events.push(ReloadEvent::Failed { files, problems, since_save: saved.elapsed() });
+        reload.refused.push(ReloadEvent::Failed { files: bad, problems, since_save: saved.elapsed() });
     }
 }
 
@@ -93,11 +106,13 @@ fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
             Makes::Answers => {}
         }
     }
-    if reload.code_restarts == Restarts::default() || reload.trial.code.is_some() && !reload.trial.passed {
+    if reload.trial.code.is_some() && !reload.trial.passed {
         return;
     }
     reload.trial.code = Some(old);
-    reload.trial.passed = false;
+    // What runs is the same: only what a scene may ask for later is other code.
+    reload.trial.passed = reload.code_restarts == Restarts::default();
+    reload.trial.restarts = reload.code_restarts;
     if reload.code_restarts.film {
         let device = &mut world.resource_mut::<Device>().0;
         let kept = ASIDE.iter().all(|(from, to)| device.copy(from, to).is_ok());
@@ -136,6 +151,8 @@ fn tell_what_restarts(mut reload: ResMut<Reload>, mut dirty: ResMut<Dirty>, mut 
         }
         reload.events.push(ReloadEvent::Reloaded { files, restarts, warnings, since_save: saved.elapsed() });
     }
+    let refused = std::mem::take(&mut reload.refused);
+    reload.events.extend(refused);
 }
 
 /// Tells the first pixels, and ends the trial once every pixel has a sample.
@@ -171,12 +188,13 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
     let endless = is_endless(&error);
     let lost = matches!(error, EngineError::Gpu(GpuError::Lost { .. }));
     let code = reload.trial.code.take_if(|_| !reload.trial.passed || endless);
-    let scene = reload.trial.scene.take().filter(|_| !endless);
+    let scene = reload.trial.scene.take_if(|_| !endless || code.is_none());
     if lost || code.is_none() && scene.is_none() {
         world.insert_resource(reload);
         return Err(error);
     }
     let problem = Problem::from(error);
+    let (had_code, had_scene) = (code.is_some(), scene.is_some());
     if let Some(code) = code {
         world.resource_mut::<Device>().0.replace(code);
         reload.linter.forget();
@@ -194,12 +212,22 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
             *world.resource_mut::<FilmProgress>() = FilmProgress { shown: None, ..film };
             world.resource_mut::<Dirty>().film = !restored;
         }
+        // Code of the tree or of the picture: the film is what it was.
+        None if endless && had_code && !reload.trial.restarts.film => {
+            let mut dirty = world.resource_mut::<Dirty>();
+            (dirty.tree, dirty.picture) = (reload.trial.restarts.tree, true);
+            world.resource_mut::<FilmProgress>().shown = None;
+        }
         None => start_again(world),
     }
+    reload.retry_code |= had_code && !endless;
+    reload.retry_scene |= had_scene;
     world.resource_mut::<Governor>().forget();
     let saved = reload.awaited.take().or(reload.taken.first().map(|taken| taken.saved));
     let since_save = saved.map(|saved| saved.elapsed()).unwrap_or_default();
     reload.taken.clear();
+    let refused = std::mem::take(&mut reload.refused);
+    reload.events.extend(refused);
     let files = reload.trial.files.clone();
     reload.events.push(ReloadEvent::Failed { files, problems: vec![problem], since_save });
     world.insert_resource(reload);

@@ -49,20 +49,22 @@ impl Folders {
         Ok(Self { watcher, watched: BTreeSet::new() })
     }
 
-    /// Watches these folders from now on, each with or without those below it. One that does not exist is watched once it
-    /// is there and this is called again; one that was made anew is watched anew.
-    pub fn watch(&mut self, wanted: impl IntoIterator<Item = (PathBuf, bool)>) {
+    /// Watches these folders from now on, each with or without those below it; one that was made anew is watched anew.
+    /// Whether all of them are: one that does not exist can't be, and this is to be called again once it may.
+    pub fn watch(&mut self, wanted: impl IntoIterator<Item = (PathBuf, bool)>) -> bool {
         let wanted: BTreeSet<(PathBuf, bool)> = wanted.into_iter().collect();
         for (folder, _) in self.watched.difference(&wanted) {
             // A folder that is gone has no watch left to take back.
             let _ = self.watcher.unwatch(folder);
         }
+        let mut all = true;
         for (folder, below) in &wanted {
             let mode = if *below { RecursiveMode::Recursive } else { RecursiveMode::NonRecursive };
-            // A folder that does not exist: what names it fails to load, and that is told.
-            let _ = self.watcher.watch(folder, mode);
+            // What names a folder that does not exist fails to load, and that is told.
+            all &= self.watcher.watch(folder, mode).is_ok();
         }
         self.watched = wanted;
+        all
     }
 }
 

@@ -1,6 +1,8 @@
 //! The thread that looks at files: it waits until a burst of saves is over, reads, links and compiles, and sends what came of it.
 
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
@@ -19,6 +21,9 @@ const LONGEST_BURST: Duration = Duration::from_millis(500);
 
 /// A file that stays empty or away for so long is meant to be.
 const PATIENCE: Duration = Duration::from_millis(500);
+
+/// Between two looks for a folder that is not there.
+const SEARCH: Duration = Duration::from_millis(500);
 
 /// What the worker is told.
 pub enum Message {
@@ -40,14 +45,25 @@ pub enum Look<T> {
     },
 }
 
+impl<T> Look<T> {
+    fn changed(self) -> Option<Side<T>> {
+        match self {
+            Look::Changed { files, result } => Some((files, result)),
+            Look::Same | Look::Unfinished => None,
+        }
+    }
+}
+
 /// What came of a burst of saves.
 pub struct Outcome {
     /// When the first file of it was touched.
     pub saved: Instant,
-    pub files: Vec<PathBuf>,
-    pub code: Option<Result<Code, Vec<Problem>>>,
-    pub scene: Option<Result<Box<Loaded>, Vec<Problem>>>,
+    pub code: Option<Side<Code>>,
+    pub scene: Option<Side<Box<Loaded>>>,
 }
+
+/// The files that changed of shaders, or of the scene, and what they give.
+type Side<T> = (Vec<PathBuf>, Result<T, Vec<Problem>>);
 
 /// The worker's own state.
 pub struct Worker {
@@ -58,15 +74,17 @@ pub struct Worker {
     pub outcomes: Sender<Outcome>,
     /// Tells the driver that there is an outcome.
     pub wake: Box<dyn Fn() + Send>,
+    /// Set while an outcome waits to be taken up.
+    pub waits: Arc<AtomicBool>,
 }
 
 impl Worker {
     /// Works until it is told to stop, or nobody is left to tell it anything.
     pub fn run(mut self) {
-        self.watch();
+        let mut all = self.watch();
         // What was saved between reading and watching.
         let mut next = Some(Message::Touched(Instant::now()));
-        while let Some(message) = next.take().or_else(|| self.messages.recv().ok()) {
+        while let Some(message) = next.take().or_else(|| self.receive(all)) {
             let (saved, force) = match message {
                 Message::Touched(saved) => (saved, false),
                 Message::Force => (Instant::now(), true),
@@ -76,6 +94,23 @@ impl Worker {
             if !self.look(saved, force) {
                 return;
             }
+            // A folder may have been made anew, and a scene may name files in others.
+            let before = std::mem::replace(&mut all, self.watch());
+            if all && !before {
+                // What was saved between the look and the watch.
+                next = Some(Message::Touched(Instant::now()));
+            }
+        }
+    }
+
+    /// The next message. While a folder is not there to be watched, it is looked for now and then.
+    fn receive(&self, all: bool) -> Option<Message> {
+        if all {
+            return self.messages.recv().ok();
+        }
+        match self.messages.recv_timeout(SEARCH) {
+            Err(RecvTimeoutError::Timeout) => Some(Message::Touched(Instant::now())),
+            message => message.ok(),
         }
     }
 
@@ -109,28 +144,20 @@ impl Worker {
             }
             std::thread::sleep(QUIET / 2);
         }
-        // A folder may have been made anew, and a scene may name files in others.
-        self.watch();
-        let mut outcome = Outcome { saved, files: Vec::new(), code: None, scene: None };
-        if let Look::Changed { files, result } = code {
-            outcome.files.extend(files);
-            outcome.code = Some(result);
-        }
-        if let Look::Changed { files, result } = scene {
-            outcome.files.extend(files);
-            outcome.scene = Some(result);
-        }
+        let outcome = Outcome { saved, code: code.changed(), scene: scene.changed() };
         if outcome.code.is_none() && outcome.scene.is_none() {
             return true;
         }
         let sent = self.outcomes.send(outcome).is_ok();
+        self.waits.store(true, Ordering::Release);
         (self.wake)();
         sent
     }
 
-    fn watch(&mut self) {
+    /// Watches what is to be watched now. Whether all of it is there.
+    fn watch(&mut self) -> bool {
         let shaders = self.shaders.iter().map(|shaders| (shaders.folder().to_path_buf(), true));
         let scenes = self.scene.iter().flat_map(SceneFiles::folders).map(|folder| (folder, false));
-        self.folders.watch(shaders.chain(scenes).collect::<Vec<_>>());
+        self.folders.watch(shaders.chain(scenes).collect::<Vec<_>>())
     }
 }
