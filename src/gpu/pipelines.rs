@@ -28,20 +28,8 @@ pub struct Pipeline {
     pub(super) serial: u32,
     /// Equal for equal code.
     fingerprint: u64,
-    /// Where the loops of an edited shader are, which end after so many rounds; empty for the shipped ones.
-    loops: Vec<Place>,
-}
-
-impl Pipeline {
-    /// The place of a loop by the number that the shader gives it.
-    pub(super) fn place_of_loop(&self, number: u32) -> Option<&Place> {
-        let first = self.serial.wrapping_mul(LOOPS);
-        self.loops.get(number.checked_sub(first + 1)? as usize)
-    }
-
-    pub(super) fn is_limited(&self) -> bool {
-        !self.loops.is_empty()
-    }
+    /// Its loops end after so many rounds: it is of an edited shader.
+    limited: bool,
 }
 
 /// A pass as it is compiled now.
@@ -54,7 +42,17 @@ pub struct Use {
     key: Features,
     /// The modules it was linked from.
     imports: BTreeSet<String>,
+    /// Where the loops of an edited shader are in its text as it is now, of which the pipeline may be older.
+    loops: Vec<Place>,
     pub(super) pipeline: Arc<Pipeline>,
+}
+
+impl Use {
+    /// The place of a loop by the number that the shader gives it.
+    pub(super) fn place_of_loop(&self, number: u32) -> Option<&Place> {
+        let first = self.pipeline.serial.wrapping_mul(LOOPS);
+        self.loops.get(number.checked_sub(first + 1)? as usize)
+    }
 }
 
 /// Compiles passes on any thread: what pipelines and those who remake them share.
@@ -80,13 +78,17 @@ impl Compiler {
         known: impl Fn(&Pass, &Features, &Linked) -> Option<Arc<Pipeline>> + Sync,
     ) -> Result<Vec<Use>, GpuError> {
         let make = |pass: &'static Pass, features: &Features| -> Result<Use, GpuError> {
-            let linked = library.link(pass.module, features)?;
+            let mut linked = library.link(pass.module, features)?;
             let (key, imports) = (linked.features.clone(), linked.imports.clone());
-            let pipeline = match known(pass, &key, &linked) {
-                Some(pipeline) => pipeline,
-                None => Arc::new(self.compile(pass, linked, features)?),
+            let (pipeline, loops) = match known(pass, &key, &linked) {
+                Some(pipeline) if pipeline.limited => (pipeline, linked.limit_loops(self.rounds(), 0)?),
+                Some(pipeline) => (pipeline, Vec::new()),
+                None => {
+                    let (pipeline, loops) = self.compile(pass, linked, features)?;
+                    (Arc::new(pipeline), loops)
+                }
             };
-            Ok(Use { pass, features: features.clone(), key, imports, pipeline })
+            Ok(Use { pass, features: features.clone(), key, imports, loops, pipeline })
         };
         std::thread::scope(|scope| {
             let make = &make;
@@ -99,20 +101,28 @@ impl Compiler {
         })
     }
 
-    fn compile(&self, pass: &'static Pass, mut linked: Linked, features: &Features) -> Result<Pipeline, GpuError> {
+    fn compile(
+        &self,
+        pass: &'static Pass,
+        mut linked: Linked,
+        features: &Features,
+    ) -> Result<(Pipeline, Vec<Place>), GpuError> {
         let serial = self.serial.fetch_add(1, Ordering::Relaxed);
         let fingerprint = linked.fingerprint();
         checked_entry(pass, &linked, features)?;
-        let loops = match linked.edited {
-            true => {
-                let rounds = if self.gpu.is_software() { ROUNDS_IN_SOFTWARE } else { ROUNDS };
-                linked.limit_loops(rounds, serial.wrapping_mul(LOOPS))?
-            }
+        let limited = linked.edited;
+        let loops = match limited {
+            true => linked.limit_loops(self.rounds(), serial.wrapping_mul(LOOPS))?,
             false => Vec::new(),
         };
         let entry = checked_entry(pass, &linked, features)?;
         let (compute, layout) = build(&self.gpu, pass, &entry, linked.module)?;
-        Ok(Pipeline { compute, layout, entry, serial, fingerprint, loops })
+        Ok((Pipeline { compute, layout, entry, serial, fingerprint, limited }, loops))
+    }
+
+    /// Rounds that all loops of an invocation of an edited shader may take.
+    fn rounds(&self) -> u32 {
+        if self.gpu.is_software() { ROUNDS_IN_SOFTWARE } else { ROUNDS }
     }
 }
 
@@ -165,6 +175,16 @@ impl Pipelines {
         let made = self.compiler.make(&self.library, &missing, known)?;
         self.keep(made);
         Ok(())
+    }
+
+    /// Whether the loops of any pass in use are limited.
+    pub fn is_limited(&self) -> bool {
+        self.compiler.in_use().values().any(|used| used.pipeline.limited)
+    }
+
+    /// The place of a loop by the number that its shader gives it.
+    pub fn place_of_loop(&self, number: u32) -> Option<Place> {
+        self.compiler.in_use().values().find_map(|used| used.place_of_loop(number).cloned())
     }
 
     /// Puts other code in place. Returns what was there, which can be put back, and the passes that run other code now.

@@ -107,8 +107,7 @@ impl Runtime {
 
     /// Says whether a loop of an edited shader had to be ended in what was played since the last call.
     pub fn check_loops(&mut self) -> Result<(), GpuError> {
-        let limited: Vec<_> = self.pipelines.compiler().in_use().values().map(|used| used.pipeline.clone()).collect();
-        if !limited.iter().any(|pipeline| pipeline.is_limited()) || self.buffers.size(LOOP_FAULTS) == 0 {
+        if !self.pipelines.is_limited() || self.buffers.size(LOOP_FAULTS) == 0 {
             return Ok(());
         }
         let [invocations, number] = self.read_some::<[u32; 2]>(LOOP_FAULTS, 1)?[0];
@@ -116,10 +115,10 @@ impl Runtime {
             return Ok(());
         }
         self.write(LOOP_FAULTS, 0, &[0u32; 2])?;
-        let Some(place) = limited.iter().find_map(|pipeline| pipeline.place_of_loop(number)) else { return Ok(()) };
+        let Some(place) = self.pipelines.place_of_loop(number) else { return Ok(()) };
         let message = format!("this loop does not end: it was stopped in {invocations} invocations");
         let help = "every loop needs a bound that it reaches within a few thousand rounds";
-        let error = ShaderError::of(ErrorKind::Loop, place.clone(), message);
+        let error = ShaderError::of(ErrorKind::Loop, place, message);
         Err(ShaderError { help: Some(help.into()), ..error }.into())
     }
 

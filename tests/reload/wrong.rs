@@ -107,6 +107,27 @@ fn an_endless_loop_of_the_display_leaves_the_film() {
     assert!(before.pixels == after.pixels && before.picture == after.picture);
 }
 
+/// A pipeline outlives edits of comments, and the places of its loops go with the text.
+#[test]
+fn a_loop_is_told_where_it_is_now() {
+    use lucerna::components::{Film, Render};
+    let mut bench = Bench::new();
+    // Nothing loops until there is a tenth sample.
+    let from = "(*state).rays += 1u;";
+    let endless = "while ((*state).key.index >= 5u) { (*state).bounce *= 1u; }";
+    bench.replace(PATH, from, &format!("{from}\n{endless}"));
+    assert_eq!(bench.reloaded(), "film");
+    bench.finish();
+    bench.replace(PATH, "// Paths from", "// One\n// two\n// three\n// Paths from");
+    assert_eq!(bench.reloaded(), "nothing");
+    bench.engine.edit(|world| {
+        let mut films = world.query_filtered::<&mut Render, bevy_ecs::prelude::With<Film>>();
+        films.iter_mut(world).for_each(|mut render| render.spp = 40);
+    });
+    let (file, line, ..) = bench.failed();
+    assert_eq!((file.as_str(), line), (PATH, place(&bench.read(PATH), endless).0));
+}
+
 #[test]
 fn a_scene_that_first_asks_for_an_endless_loop_gives_way_to_the_last() {
     let mut bench = Bench::new();

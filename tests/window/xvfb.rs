@@ -144,14 +144,14 @@ impl Screenshot {
     }
 }
 
-/// Waits until something is there; fails with `what` after a minute, in which even a slow machine compiles the kernel.
+/// Waits until something is there; fails with `what` after three minutes, in which even a busy machine compiles the kernel and judges.
 pub fn await_some<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
     let begin = Instant::now();
     loop {
         if let Some(found) = look() {
             return found;
         }
-        assert!(begin.elapsed() < Duration::from_secs(60), "waited in vain for {what}");
+        assert!(begin.elapsed() < Duration::from_secs(180), "waited in vain for {what}");
         std::thread::sleep(Duration::from_millis(20));
     }
 }

@@ -96,10 +96,30 @@ impl Judging {
     }
 }
 
+impl Judging {
+    /// Ends it, without waiting for the thread: that may compile for a while yet.
+    fn end(mut self) -> Option<JoinHandle<()>> {
+        self.thread.take()
+    }
+}
+
 impl Drop for Judging {
     fn drop(&mut self) {
         self.stop.store(true, Ordering::Relaxed);
         if let Some(thread) = self.thread.take() {
+            // A thread that panicked has said so.
+            let _ = thread.join();
+        }
+    }
+}
+
+/// Threads that are told to end, and are waited for before the device goes.
+#[derive(Default)]
+pub struct Ending(Vec<JoinHandle<()>>);
+
+impl Drop for Ending {
+    fn drop(&mut self) {
+        for thread in self.0.drain(..) {
             // A thread that panicked has said so.
             let _ = thread.join();
         }
@@ -169,7 +189,9 @@ impl Session {
 
     /// What is judged is the scene as it was: judging ends when that changes.
     pub(super) fn end_judging(&mut self) {
-        if self.judging.take().is_some() {
+        if let Some(judging) = self.judging.take() {
+            self.ending.0.retain(|thread| !thread.is_finished());
+            self.ending.0.extend(judging.end());
             self.overlay.show_split(None);
         }
     }

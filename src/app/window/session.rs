@@ -11,7 +11,7 @@ use winit::window::Window;
 use super::cameras;
 use super::controls::Controls;
 use super::flight::Flight;
-use super::judging::Judging;
+use super::judging::{Ending, Judging};
 use super::overlay::Overlay;
 use super::pace::{self, Pace};
 use super::panel::Panel;
@@ -32,6 +32,8 @@ pub struct Opening {
     /// The scene as it was read, to be watched.
     opened: Opened,
     flags: SceneFlags,
+    /// The shaders to go on with, where a device was lost; else they are read.
+    shaders: Option<Library>,
     /// Has the window look when something was saved.
     wake: EventLoopProxy<()>,
 }
@@ -39,7 +41,7 @@ pub struct Opening {
 impl Opening {
     /// A scene as it was read.
     pub fn new(opened: Opened, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
-        Self { description: opened.description.clone(), opened, flags, wake }
+        Self { description: opened.description.clone(), opened, flags, shaders: None, wake }
     }
 
     /// Watches the scene's files and the shaders. The window does without if that can't be done.
@@ -70,6 +72,7 @@ pub struct Session {
     pub(super) shaders: Library,
     pub(super) old_shaders: Option<Library>,
     pub(super) judging: Option<Judging>,
+    pub(super) ending: Ending,
     /// Before and after are shown side by side, where they were judged.
     pub(super) split: bool,
     pub(super) controls: Controls,
@@ -107,12 +110,20 @@ pub struct Session {
 impl Session {
     /// Opens a device for the window, and the scene on it.
     pub fn open(window: Arc<Window>, opening: Opening) -> Result<Session, EngineError> {
-        let library = opening.flags.library().map_err(GpuError::from)?;
+        let again = opening.shaders.is_some();
+        let library = match &opening.shaders {
+            Some(library) => library.clone(),
+            None => opening.flags.library().map_err(GpuError::from)?,
+        };
         let features = library.features().map_err(GpuError::from)?.into_iter().collect();
         let (gpu, screen) = Screen::open(&window, &library)?;
         let mut engine = Engine::open(gpu.clone(), library.clone(), &opening.description)?;
         engine.set_live(true);
         opening.watch(&mut engine, library.clone());
+        if again {
+            // Files may have come to be named since the scene was first read.
+            engine.reload();
+        }
         let (_, view) = engine.edit(cameras::view).ok_or(EngineError::NoCamera)?;
         let most_pixels = gpu.limits.max_storage_buffer_binding_size / size_of::<FilmPixel>() as u64;
         let panel = Panel::new(features, gpu.is_software());
@@ -127,6 +138,7 @@ impl Session {
             shaders: library,
             old_shaders: None,
             judging: None,
+            ending: Ending::default(),
             split: false,
             controls: Controls::default(),
             pace: Pace::new(most_pixels),
@@ -158,7 +170,13 @@ impl Session {
         self.engine.edit(|world| cameras::set_view(world, view));
         let name = self.name().to_owned();
         let description = self.engine.edit(|world| scene::describe(world, &name));
-        (self.window, Opening { description, ..self.opening })
+        let mut opened = self.opening.opened.clone();
+        if let Some(saved) = self.engine.saved_scene() {
+            opened.description = saved.clone();
+        }
+        let shaders = Some(self.engine.library());
+        self.end_judging();
+        (self.window, Opening { description, opened, shaders, ..self.opening })
     }
 
     pub fn window(&self) -> &Window {
@@ -179,6 +197,7 @@ impl Session {
     }
 
     pub(super) fn quit(&mut self) {
+        self.end_judging();
         self.quit = true;
     }
 

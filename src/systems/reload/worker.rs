@@ -148,8 +148,9 @@ impl Worker {
         if outcome.code.is_none() && outcome.scene.is_none() {
             return true;
         }
-        let sent = self.outcomes.send(outcome).is_ok();
+        // Before it is sent, or it could be taken up before it is said to wait.
         self.waits.store(true, Ordering::Release);
+        let sent = self.outcomes.send(outcome).is_ok();
         (self.wake)();
         sent
     }
