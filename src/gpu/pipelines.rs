@@ -109,7 +109,6 @@ impl Compiler {
     ) -> Result<(Pipeline, Vec<Place>), GpuError> {
         let serial = self.serial.fetch_add(1, Ordering::Relaxed);
         let fingerprint = linked.fingerprint();
-        checked_entry(pass, &linked, features)?;
         let limited = linked.edited;
         let loops = match limited {
             true => linked.limit_loops(self.rounds(), serial.wrapping_mul(LOOPS))?,
