@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use super::arguments::RenderArguments;
+use super::compiling::watch_compiling;
 use super::interrupt::Interrupt;
 use super::progress::{Goal, Meter};
 use super::report::{Account, Seconds};
@@ -117,6 +118,7 @@ fn trace(
         seconds: arguments.time,
     };
     let mut meter = Meter::new(&description.name, goal, arguments.quiet);
+    engine.on_compiling(watch_compiling(meter.show_compiling()));
     loop {
         let left = arguments.time.map_or(STEP, |time| Duration::from_secs_f64(time).saturating_sub(meter.elapsed()));
         let step = engine.step(STEP.min(left)).map_err(Failure::engine)?;

@@ -6,6 +6,7 @@ mod arguments;
 pub mod bench;
 mod check;
 mod compare;
+pub mod compiling;
 mod doctor;
 mod failure;
 mod headless;

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use super::compiling::{is_due, line};
 use super::output;
 
 /// Steps of the bar.
@@ -86,6 +87,16 @@ impl Meter {
     pub fn rename(&mut self, name: &str) {
         self.bar.set_prefix(name.to_owned());
         self.label = format!("{name}: ");
+    }
+
+    /// Shows how many seconds shaders have been compiled for.
+    pub fn show_compiling(&self) -> impl Fn(u64) + Clone + Send + Sync + 'static {
+        let (bar, shown) = (self.bar.clone(), self.shown);
+        move |seconds| match shown {
+            Shown::Bar => bar.set_message(line(seconds)),
+            Shown::Lines if is_due(seconds) => output::note(&line(seconds)),
+            Shown::Lines | Shown::Nothing => {}
+        }
     }
 
     /// Since the beginning.

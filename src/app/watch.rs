@@ -7,9 +7,10 @@ use std::time::Duration;
 use serde_json::{Value, json};
 
 use super::arguments::WatchArguments;
+use super::compiling::{is_due, line, watch_compiling};
 use super::failure::show;
 use super::interrupt::Interrupt;
-use super::{Exit, Failure};
+use super::{Exit, Failure, output};
 use crate::gpu::{Gpu, GpuError};
 use crate::systems::reload::{Problem, ReloadEvent, Restarts};
 use crate::systems::{Engine, EngineError, Progress};
@@ -27,6 +28,13 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
     let library = arguments.flags.library()?;
     let gpu = Gpu::open()?;
     let mut engine = Engine::open(gpu, library.clone(), &opened.description).map_err(Failure::engine)?;
+    if !arguments.quiet {
+        engine.on_compiling(watch_compiling(|seconds| {
+            if is_due(seconds) {
+                output::note(&line(seconds));
+            }
+        }));
+    }
     // What is wrong from the start ends it: there is nothing yet to go on with.
     let mut step = engine.step(STEP).map_err(Failure::engine)?;
     let size = opened.description.film.size;

@@ -176,6 +176,17 @@ impl Pipelines {
         Ok(())
     }
 
+    /// Whether any of `passes` has to be compiled before it can run.
+    pub fn lacks(&self, passes: &[&'static Pass], features: &Features) -> bool {
+        passes.iter().any(|pass| self.known(pass, features).is_none())
+    }
+
+    /// Whether all of `passes` are in use with the code that this binary was built with.
+    pub fn are_shipped(&self, passes: &[&'static Pass]) -> bool {
+        let in_use = self.compiler.in_use();
+        passes.iter().all(|pass| in_use.get(pass.name).is_some_and(|used| !used.pipeline.limited))
+    }
+
     /// Whether the loops of any pass in use are limited.
     pub fn is_limited(&self) -> bool {
         self.compiler.in_use().values().any(|used| used.pipeline.limited)

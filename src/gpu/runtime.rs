@@ -86,8 +86,17 @@ impl Runtime {
 
     /// Compiles what recordings need, all at once, without running them.
     pub fn prepare(&mut self, recordings: &[&Recording]) -> Result<(), GpuError> {
-        let passes: Vec<_> = recordings.iter().flat_map(|r| r.calls()).map(|call| call.pass).collect();
-        self.pipelines.prepare(&passes, &self.features)
+        self.pipelines.prepare(&passes(recordings), &self.features)
+    }
+
+    /// Whether `prepare` would have to compile something.
+    pub fn lacks(&self, recordings: &[&Recording]) -> bool {
+        self.pipelines.lacks(&passes(recordings), &self.features)
+    }
+
+    /// Whether a recording, once prepared, would run the code that this binary was built with, and nobody's edits.
+    pub fn runs_shipped(&self, recording: &Recording) -> bool {
+        self.pipelines.are_shipped(&passes(&[recording]))
     }
 
     /// What compiles edited shaders for this runtime, on any thread.
@@ -168,4 +177,9 @@ impl Runtime {
         timer.collect(&self.gpu)?;
         Ok(timer.take_spans())
     }
+}
+
+/// The passes of recordings, by call.
+fn passes(recordings: &[&Recording]) -> Vec<&'static Pass> {
+    recordings.iter().flat_map(|recording| recording.calls()).map(|call| call.pass).collect()
 }

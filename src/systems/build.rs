@@ -1,10 +1,13 @@
-//! Records Morton codes to tree, where triangles changed.
+//! Records Morton codes to tree, where triangles changed; and makes the tree, by what was recorded or by its twin.
 
 use bevy_ecs::prelude::*;
 
 use super::Phase;
-use super::state::{Dirty, Frame, PackedScene, no_fault};
-use crate::passes::build;
+use super::state::{Dirty, Frame, PackedScene, TreeBuilder, no_fault};
+use crate::cpu;
+use crate::gpu::{GpuError, Runtime};
+use crate::layout::tree::Triangle;
+use crate::passes::{Recording, build};
 
 pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(build_changed_tree.in_set(Phase::Build).run_if(no_fault));
@@ -14,4 +17,23 @@ fn build_changed_tree(mut frame: ResMut<Frame>, scene: Res<PackedScene>, dirty: 
     if dirty.tree {
         build::record(&mut frame.build, scene.triangles);
     }
+}
+
+/// Makes `leaves` and `nodes` of the first `count` of `triangles`, and waits until they are there. `recording` is what
+/// does so on the device, and is prepared: so its passes count as in use, and what is saved of them is compiled and told.
+pub(super) fn make_tree(
+    device: &mut Runtime,
+    recording: &Recording,
+    builder: TreeBuilder,
+    count: u32,
+) -> Result<(), GpuError> {
+    if builder == TreeBuilder::Twin && device.runs_shipped(recording) {
+        let triangles: Vec<Triangle> = device.read_some("triangles", count as usize)?;
+        let tree = cpu::tree::build(&triangles);
+        device.write("leaves", 0, &tree.leaves)?;
+        return device.write("nodes", 0, &tree.nodes);
+    }
+    device.play(recording)?;
+    device.wait()?;
+    device.check_loops()
 }

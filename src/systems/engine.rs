@@ -6,13 +6,14 @@ use std::time::Duration;
 
 use bevy_ecs::prelude::*;
 
+use super::compiling::CompileListener;
 use super::governor::Governor;
 use super::present;
 use super::reload::{self, Problem, Reload, ReloadEvent, Sources, WatchError};
 use super::report::{self, FilmImage, Report};
 use super::schedule;
 use super::state::{
-    Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, Live, PackedScene, Pending, Spent, Viewed,
+    Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, Live, PackedScene, Pending, Spent, TreeBuilder, Viewed,
 };
 use crate::gpu::{Drawn, Fit, Gpu, GpuError, Paint, Runtime, Surface};
 use crate::layout::view::ViewMode;
@@ -74,7 +75,9 @@ impl Engine {
     /// Opens a scene. Nothing is traced yet.
     pub fn open(gpu: Arc<Gpu>, library: Library, description: &SceneDescription) -> Result<Engine, EngineError> {
         let mut world = World::new();
+        world.insert_resource(TreeBuilder::of(&gpu));
         world.insert_resource(Device(Runtime::new(gpu, library)));
+        world.init_resource::<CompileListener>();
         world.insert_resource(Budget(Duration::from_millis(100)));
         world.init_resource::<Fault>();
         world.init_resource::<PackedScene>();
@@ -101,6 +104,16 @@ impl Engine {
     /// Times every pass from now on, where the device can.
     pub fn set_timing(&mut self, on: bool) {
         self.world.resource_mut::<Device>().0.set_timing(on);
+    }
+
+    /// Has the tree built by passes or twin from the next build on, whatever suits the device.
+    pub fn set_tree_builder(&mut self, builder: TreeBuilder) {
+        self.world.insert_resource(builder);
+    }
+
+    /// Has `told` called with true whenever a step begins to compile, and with false when that is over.
+    pub fn on_compiling(&mut self, told: impl Fn(bool) + Send + Sync + 'static) {
+        self.world.insert_resource(CompileListener::new(told));
     }
 
     /// Has the picture follow the film batch by batch from now on, or only once it is finished.

@@ -6,6 +6,7 @@
 
 mod accumulate;
 mod build;
+pub mod compiling;
 mod engine;
 mod extract;
 mod governor;

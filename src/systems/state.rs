@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::EngineError;
 use crate::components::EnvironmentMap;
-use crate::gpu::Runtime;
+use crate::gpu::{Gpu, Runtime};
 use crate::layout::light::{LightRecord, LightTable};
 use crate::layout::sky::SkyTable;
 use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
@@ -19,6 +19,23 @@ use crate::passes::Recording;
 /// The device and all that is on it.
 #[derive(Resource)]
 pub struct Device(pub Runtime);
+
+/// Who builds the tree. Both build the same, to the bit.
+#[derive(Resource, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TreeBuilder {
+    /// The passes.
+    Passes,
+    /// Their twin on the processor, as long as nobody has edited the passes.
+    Twin,
+}
+
+impl TreeBuilder {
+    /// The twin, where the device is the processor anyway: the twin is faster there, and drivers take up to half a minute
+    /// to compile the passes.
+    pub fn of(gpu: &Gpu) -> Self {
+        if gpu.is_software() { TreeBuilder::Twin } else { TreeBuilder::Passes }
+    }
+}
 
 /// The first error of a run of the schedule. Later phases do nothing while there is one.
 #[derive(Resource, Default)]
