@@ -9,8 +9,9 @@ use lucerna::cpu::rng::Source;
 use crate::rooms::{Room, trace_batch};
 use crate::support;
 
-/// From text to the first dispatch done: lavapipe on 2 cores, and a GPU.
-const BUDGETS: [Duration; 2] = [Duration::from_millis(400), Duration::from_millis(350)];
+/// From text to the first dispatch done: a GPU, lavapipe on 2 cores, and that of Mesa 25, whose code is three times as fast and
+/// takes three times as long to make.
+const BUDGETS: [Duration; 3] = [Duration::from_millis(350), Duration::from_millis(400), Duration::from_millis(1300)];
 
 /// The machine may be busy: two threads of one core, or its caches, shared with others. The least of several runs counts.
 /// The kernel is over both (MEASUREMENTS.md: 0.6 to 0.7 s on busy cores, 0.30 to 0.45 s on a GPU beside other tests), so this guards what
@@ -30,6 +31,18 @@ fn clock() -> Duration {
         Some(fields.get(11)?.parse::<u64>().ok()? + fields.get(12)?.parse::<u64>().ok()?)
     };
     stat.and_then(|stat| ticks(&stat)).map_or_else(|| start.elapsed(), |ticks| Duration::from_millis(10 * ticks))
+}
+
+/// Which of the budgets is meant.
+fn kind_of_driver() -> usize {
+    let gpu = support::gpu();
+    let version =
+        gpu.info.driver_info.strip_prefix("Mesa ").and_then(|info| info.split('.').next()?.parse::<u32>().ok());
+    match (gpu.is_software(), version) {
+        (false, _) => 0,
+        (true, Some(25..)) => 2,
+        (true, _) => 1,
+    }
 }
 
 /// Links, compiles and first runs the kernel with every feature.
@@ -63,6 +76,6 @@ fn the_path_kernel_compiles_within_its_budget() {
     let times = text.lines().find_map(|line| line.strip_prefix(MARK)).unwrap_or_else(|| panic!("no times in: {text}"));
     println!("{MARK}{times}");
     let least = times.split(' ').map(|ms| ms.parse::<u64>().unwrap()).min().unwrap();
-    let budget = BUDGETS[usize::from(!support::gpu().is_software())].mul_f64(NOISE);
+    let budget = BUDGETS[kind_of_driver()].mul_f64(NOISE);
     assert!(Duration::from_millis(least) <= budget, "the path kernel took {times} ms to compile, cold");
 }

@@ -9,7 +9,7 @@ use glam::{UVec2, Vec3};
 use lucerna::components::{Camera, Crop, Environment, Film, Material, Render, Transform};
 use lucerna::scene::{self, SceneDescription};
 use lucerna::shader::Library;
-use lucerna::systems::state::PackedScene;
+use lucerna::systems::state::{PackedScene, TreeBuilder};
 use lucerna::{Engine, EngineError, FilmImage};
 
 use crate::support;
@@ -110,6 +110,7 @@ fn change<C: Component<Mutability = bevy_ecs::component::Mutable>>(world: &mut W
 #[test]
 fn only_what_an_edit_touches_runs_again() {
     let mut engine = open(&small_box("2"));
+    engine.set_tree_builder(TreeBuilder::Passes);
     let mut seen = BTreeMap::new();
     finish(&mut engine, Duration::from_secs(10));
     let first: Vec<_> = news(&engine, &mut seen).into_keys().collect();

@@ -104,3 +104,27 @@ fn what_is_edited_beside_the_files_survives_a_reload_of_other_things() {
     let position = bench.engine.edit(|world| world.query::<&Camera>().iter(world).next().unwrap().position);
     assert_eq!(position.to_array(), [0.0, 1.0, 6.0]);
 }
+
+/// Whoever built the tree before: an edit of its passes takes effect, is told as any other, and can be taken back.
+#[test]
+fn code_of_the_tree_takes_effect_and_goes_back() {
+    let mut bench = Bench::new();
+    let before = bench.film();
+    let nodes = "shaders/passes/tree/nodes.wgsl";
+    let (restarts, passes) = after(&mut bench, nodes, "// The box of the leaves", "// The box of all leaves");
+    assert_eq!((restarts.as_str(), passes.as_slice()), ("nothing", [].as_slice()), "a comment");
+    let far = "result.low += vec4<f32>(64.0);\n    return result;\n";
+    let (restarts, passes) = after(&mut bench, nodes, "return result;\n", far);
+    assert!(restarts == "tree" && passes.contains(&"nodes"), "{restarts}: {passes:?}");
+    // Boxes far away hide what is in them from a film that is begun after.
+    let (restarts, _) = after(&mut bench, "scene.ron", "spp: 4", "spp: 3");
+    assert!(!restarts.is_empty());
+    assert!(bench.film().pixels == bench.fresh_film().pixels && bench.film().rgb != before.rgb);
+    let (restarts, passes) = after(&mut bench, nodes, far, "return result;\n");
+    assert_eq!(restarts, "tree");
+    assert!(passes.is_empty() || passes.contains(&"nodes"), "{passes:?}");
+    after(&mut bench, "scene.ron", "spp: 3", "spp: 4");
+    after(&mut bench, "scene.ron", "look_at: (0, 1, 0)", "look_at: (0, 1.1, 0)");
+    after(&mut bench, "scene.ron", "look_at: (0, 1.1, 0)", "look_at: (0, 1, 0)");
+    assert!(bench.film().pixels == before.pixels);
+}
