@@ -18,6 +18,7 @@ mod intersect;
 mod judge;
 mod law;
 mod layout;
+mod libraries;
 mod light;
 mod lint;
 mod metrics;

@@ -14,6 +14,7 @@ mod find;
 pub mod generate;
 mod lines;
 mod load;
+mod locate;
 mod mtl;
 mod obj;
 mod picture;
