@@ -42,5 +42,6 @@ mod sort;
 mod statistics;
 mod support;
 mod tree;
+mod unseen;
 mod view;
 mod window;
