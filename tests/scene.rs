@@ -235,7 +235,7 @@ fn assets_are_known_by_their_content_where_their_ending_says_nothing() {
         ("m.fbx", "Kaydara FBX Binary  \0", "this is an FBX model"),
         ("m.ply", "ply\nformat ascii 1.0\n", "this is a PLY model"),
         ("m.bin", "v 0 0 0\n\0\u{1}", "this is a binary file"),
-        ("notes", "good evening\nv is a letter\n", "expected"),
+        ("notes", "good evening\nv is a letter\n", "trailing characters"),
         ("empty", "", "unexpected end"),
     ];
     let folder = folder(&[("square.obj", SQUARE), ("square.mtl", SQUARE_MTL)]);

@@ -57,7 +57,7 @@ fn a_model_of_invisible_materials_is_told() {
     let mtl = "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 0 1\n";
     let scene = "(models: [(path: \"m.obj\"), (path: \"m.obj\", name: \"n\")],\n materials: { \"n:a\": (d: 0), \"n:b\": (d: 0) })";
     let said = Files::new(SQUARE, mtl, scene).unseen("s.ron");
-    assert!(said.len() == 1 && said[0].contains("s.ron:1:34: warning"), "{said:?}");
+    assert!(said.len() == 1 && said[0].contains("s.ron:1:35: warning"), "{said:?}");
 }
 
 #[test]

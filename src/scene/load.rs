@@ -130,7 +130,8 @@ impl Loader {
                 self.diagnostics.push(Diagnostic { message, severity: Severity::Warning, ..(*place).clone() });
             }
         }
-        if beyond(description, &description.cameras[&description.active]) == Some(Beyond::Behind) {
+        let camera = description.cameras.get(&description.active);
+        if camera.and_then(|camera| beyond(description, camera)) == Some(Beyond::Behind) {
             self.diagnostics.list.extend(unseen_by(description, &description.active, scene));
         }
     }
