@@ -136,7 +136,8 @@ fn odd_statements_end_soon() {
     let deep = format!("mtllib {}x.mtl", "a/".repeat(1500));
     let long = format!("mtllib {}", "y".repeat(100_000));
     let quotes = format!("mtllib {}", "\"\" \" ".repeat(1000));
-    for statement in [many, deep, long, quotes] {
+    let words = format!("mtllib {}", "z ".repeat(200_000));
+    for statement in [many, deep, long, quotes, words] {
         let started = std::time::Instant::now();
         read(&statement, &[("l.mtl", red("a"))]);
         assert!(started.elapsed().as_secs() < 20, "{:?}", started.elapsed());

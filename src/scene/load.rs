@@ -255,7 +255,6 @@ impl Loader {
             && entry.place.line > 0
             && !matches!(Kind::by_ending(&path), Some(Kind::Scene | Kind::Library))
         {
-            self.files.push(path.clone());
             let names = file_names(path.parent().unwrap_or(folder));
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             let near = did_you_mean(&name, names.iter().map(String::as_str));
@@ -275,6 +274,7 @@ impl Loader {
                 }
             }
         };
+        self.files.push(path);
         self.diagnostics.push(error);
         None
     }

@@ -29,6 +29,9 @@ pub struct Libraries {
     missing: bool,
 }
 
+/// Words of which each may be a library by itself.
+const MAX_WORDS: usize = 64;
+
 /// Libraries that the statements of a file may name, in all.
 pub const MAX_LIBRARIES: usize = 1024;
 
@@ -90,7 +93,10 @@ impl Libraries {
             let path = as_written(folder, name);
             let message = format!("there is no material library `{}`", path.display());
             files.push(path);
-            let help = format!("its materials are rendered grey; {}", alternatives(folder, name));
+            let help = format!(
+                "its materials are rendered grey, unless another library has them; {}",
+                alternatives(folder, name)
+            );
             return diagnostics.push(Diagnostic { message, ..place.clone() }.help(help));
         };
         if let Some(why) = found.differs {
@@ -133,7 +139,7 @@ fn names(folder: &Path, statement: &Statement) -> Vec<(String, Diagnostic)> {
         }
         for name in up_to_endings(part).into_iter().take_while(|name| !name.starts_with('#')) {
             let words: Vec<&str> = name.split_whitespace().collect();
-            let apart = words.len() > 1
+            let apart = (2..=MAX_WORDS).contains(&words.len())
                 && locate(folder, name).is_none()
                 && words.iter().any(|word| locate(folder, word).is_some());
             list.extend(if apart { words } else { vec![name] }.into_iter().map(place));
