@@ -5,6 +5,9 @@ use std::path::Path;
 use glam::Vec3;
 use lucerna::scene::{Loaded, load};
 
+/// Names and contents.
+type Files<'a> = &'a [(&'a str, Vec<u8>)];
+
 const RED: Vec3 = Vec3::new(0.8, 0.1, 0.1);
 const BLUE: Vec3 = Vec3::new(0.1, 0.1, 0.8);
 
@@ -17,7 +20,7 @@ fn blue(name: &str) -> Vec<u8> {
 }
 
 /// Loads `m.obj`, of two triangles in the materials `a` and `b`, with this `mtllib` line and these files beside it.
-fn read(statement: &str, files: &[(&str, Vec<u8>)]) -> Loaded {
+fn read(statement: &str, files: Files) -> Loaded {
     let folder = tempfile::tempdir().unwrap();
     let put = |name: &Path, bytes: &[u8]| {
         let path = folder.path().join(name);
@@ -41,7 +44,7 @@ fn said(loaded: &Loaded) -> String {
 #[test]
 fn several_names_spaces_and_quotes_are_found_without_a_word() {
     let both = || [red("a"), blue("b")].concat();
-    let cases: &[(&str, &[(&str, Vec<u8>)])] = &[
+    let cases: &[(&str, Files)] = &[
         ("mtllib one.mtl two.mtl", &[("one.mtl", red("a")), ("two.mtl", blue("b"))]),
         ("mtllib one.mtl\ttwo.mtl  # both", &[("one.mtl", red("a")), ("two.mtl", blue("b"))]),
         ("mtllib one.mtl\nmtllib two.mtl", &[("one.mtl", red("a")), ("two.mtl", blue("b"))]),
