@@ -207,7 +207,7 @@ fn soup(start: &'static str, tame: &'static str, wild: &[&'static str], count: u
 const ENDS: &str = concat!(
     " 0| 1| -1| 2| 3| -2| -3| 0.5| 1e3| -0.0| 1e308| 1e-320| nan| inf| -inf| 1e999| 2147483648| 4294967296|",
     " -9223372036854775808| 99999999999999999999| 0x10| .| +1| 1.| 1/1| 2//1| 3/1/1| -1/-1/-1| //| 1/2/3/4|\n|\n|",
-    "\n|\n|\r\n|\r|\\\n|#|\t| |\u{feff}|\0|é| \\",
+    "\n|\n|\r\n|\r|\\\n|#|\t| |\u{feff}|\0|é| \\| \\ \n| 1.#QNAN| -nan(ind)| -1.#INF|\u{1a}",
 );
 
 const OBJ: &str = concat!(
@@ -217,12 +217,12 @@ const OBJ: &str = concat!(
     "f 1 \\\n 2 3\n|\r\n|vt nan 0\n|v 1e12 0 0\n",
 );
 
-const WILD_OBJ: &str = "\nv|\nvn|\nvt|\nf|usemtl|mtllib|mtllib m.obj\n|p 1\n|what\n|v 0 0 0|f 1 2 7\n";
+const WILD_OBJ: &str = "usemtl \"red\"\n|mtllib a.mtl m.mtl\n|mtllib M.MTL\n|mtllib \"C:\\x\\m.mtl\"\n|\nv|\nvn|\nvt|\nf|usemtl|mtllib|mtllib m.obj\n|p 1\n|what\n|v 0 0 0|f 1 2 7\n";
 
 const MTL: &str = concat!(
     "newmtl red\n|newmtl blue\n|newmtl|\nKd|\nKs|\nKe|\nLe|\nKa|\nNs|\nNi|\nd|\nd -halo|\nTr|\nTf|\nillum|",
     "\nmap_Kd|\nmap_bump -bm|\nbump|\nrefl|\nPr| spectral| xyz| -s| -o| -clamp on| file.png| a b.png| ..\\x|",
-    "\nKd 1 1 1\n|\nKe 5\n|\nmap_d -mm 0 1 -s 1 1 1 x.png\n|\nwhat",
+    "\nKd 204 26 26\n|\nillum 7\n|\nNi 1.5\n|\nTr 1\n|\nKd 1 1 1\n|\nKe 5\n|\nmap_d -mm 0 1 -s 1 1 1 x.png\n|\nwhat",
 );
 
 const RON: &str = concat!(

@@ -1,7 +1,7 @@
 //! MTL files: values, policies, and a located warning for each line that is not honoured.
 
 use glam::Vec3;
-use lucerna::components::Material;
+use lucerna::components::{Material, Passage, Specular};
 use lucerna::scene::{Diagnostic, Severity, load};
 
 /// Reads a library through an OBJ file that uses its material `a`.
@@ -125,7 +125,14 @@ const DOUBTFUL: &[(&str, u32, &str)] = &[
     ("illum 11", 1, "from 0 to 10, not `11`"),
     ("illum", 1, "from 0 to 10"),
     ("illum -1", 1, "from 0 to 10"),
-    ("illum 7", 1, "is glass (illum 7)"),
+    ("illum 7\nNi 1.5", 1, "is glass (illum 7)"),
+    ("illum 7", 1, "`illum 7` alone makes no glass of material `a`, which is diffuse"),
+    ("Kd -nan(ind) 0 0", 4, "`-nan(ind)` is not a finite number"),
+    ("Ks 1.#QNAN 0 0", 4, "`1.#QNAN` is not a finite number"),
+    ("Ns 1.#INF", 4, "`1.#INF` is not a finite number"),
+    ("d -1.#IND00", 3, "`-1.#IND00` is not a finite number"),
+    ("Ks 255 128 0", 1, "looks like bytes"),
+    ("Tr 1", 1, "here it is taken as opacity"),
     ("illum 10", 1, "shadow catcher"),
     ("Ka 1 1 1", 1, "no meaning in path tracing"),
     ("Pr 2", 4, "taken as 1"),
@@ -156,6 +163,149 @@ fn each_line_that_is_not_honoured_is_a_warning_at_its_place() {
             assert_eq!(material.kd, Vec3::splat(0.5), "{text}");
         }
     }
+}
+
+/// What follows `newmtl a` and `Kd 0.8 0.1 0.1`, by exporters and by hand; how light gets through; and its kind in words.
+const LOOKS: &[(&str, Passage, &str)] = &[
+    // Maya, Cinema 4D, DAZ Studio, 3ds Max, Blender old and new: opaque.
+    ("illum 4\nKa 0 0 0\nTf 1.00 1.00 1.00\nNi 1.00", Passage::Opaque, "diffuse"),
+    ("Ka 1 1 1\nKs 1 1 1\nNs 50\nillum 7", Passage::Opaque, "glossy"),
+    ("Ns 900\nd 1\nTr 1\nTf 1 1 1\nillum 4\nKs 0.1 0.1 0.1", Passage::Opaque, "glossy"),
+    ("Ns 10\nNi 1.5\nd 1\nTr 0\nTf 1 1 1\nillum 2\nKs 0 0 0", Passage::Opaque, "diffuse"),
+    ("Ni 1.45\nd 1\nillum 2\nKs 0.5 0.5 0.5\nNs 250", Passage::Opaque, "glossy"),
+    ("illum 4\nTf 0 0 0\nNi 1", Passage::Opaque, "diffuse"),
+    ("illum 6\nNi 0", Passage::Opaque, "diffuse"),
+    ("illum 9\nd 1.0", Passage::Opaque, "diffuse"),
+    ("illum 4\nKd 0 0 0\nKs 0 0 0", Passage::Opaque, "black"),
+    // What the numbers call transparent.
+    ("illum 4\nNi 1.5", Passage::Glass, "glass"),
+    ("illum 6\nNi 1.2\nTf 1 1 1", Passage::Glass, "glass"),
+    ("illum 7\nNi 2.4\nd 1", Passage::Glass, "glass"),
+    ("illum 9\nNi 1.33\nd 0.3", Passage::Glass, "glass"),
+    ("illum 4\nTf 0.5 0.9 0.5\nNi 1", Passage::Glass, "glass"),
+    ("illum 7\nTf 0.98 1 0.99", Passage::Glass, "glass"),
+    ("illum 4\nd 0.5\nNi 1.00\nTf 1 1 1", Passage::SeeThrough, "see-through"),
+    ("illum 4\nTr 0.5", Passage::SeeThrough, "see-through"),
+    ("illum 2\nd 0.5\nNi 1.5", Passage::SeeThrough, "see-through"),
+    ("illum 2\nd 0", Passage::SeeThrough, "invisible"),
+    ("illum 2\nd 0\nTf 0.5 0.5 0.5", Passage::SeeThrough, "see-through"),
+    // Others.
+    ("illum 3\nKs 0.9 0.9 0.9", Passage::Opaque, "mirror"),
+    ("illum 8\nKs 0.9 0.9 0.9", Passage::Opaque, "mirror"),
+    ("illum 3", Passage::Opaque, "diffuse"),
+    ("illum 3\nKs 0.9 0.9 0.9\nPr 0.3", Passage::Opaque, "glossy"),
+    ("Pr 0.3\nPm 1", Passage::Opaque, "metal"),
+    ("Ke 1 1 1\nillum 4", Passage::Opaque, "light"),
+];
+
+#[test]
+fn a_material_is_what_its_numbers_say_and_not_illum_alone() {
+    for (text, passage, kind) in LOOKS {
+        let (material, warnings) = read(&format!("newmtl a\nKd 0.8 0.1 0.1\n{text}\nnewmtl other\nKd 0 0 1\n"));
+        assert_eq!(material.passage(), *passage, "{text}");
+        let look = material.appearance();
+        assert_eq!(look.kind, *kind, "{text}: {look:?}");
+        let told = material.asks_for_glass() && *passage != Passage::Glass;
+        assert_eq!(look.reason.contains("alone makes no glass"), told, "{text}: {look:?}");
+        let warned = warnings.iter().any(|warning| warning.message.contains("alone makes no glass"));
+        assert_eq!(warned, told && !matches!(*kind, "black" | "light"), "{text}: {warnings:?}");
+    }
+    assert_eq!(read("newmtl a\nKs 1 1 1\nillum 8\n").0.specular(), Specular::Mirror);
+}
+
+#[test]
+fn an_illum_and_an_index_on_everything_are_a_constant() {
+    let wood = "newmtl a\nKd 0.5 0.3 0.1\nNi 1.5\nillum 7\n";
+    let wall = "newmtl wall\nKd 0.8 0.8 0.8\nNi 1.5\nillum 7\n";
+    let sofa = "newmtl sofa\nKd 0.2 0.2 0.7\nNi 1.5\nillum 7\n";
+    let alike = "newmtl sofa\nKd 0.5 0.3 0.1\nNi 1.5\nillum 7\n";
+    let clear = "newmtl clear\nKd 0 0 0\nNi 1.5\nillum 7\n";
+    let matte = "newmtl matte\nKd 0.5 0.5 0.5\nNi 1.5\nillum 2\n";
+    let filter = "newmtl filter\nKd 0.2 0.2 0.7\nTf 0.5 0.5 1\nNi 1.5\nillum 7\n";
+    let index = "newmtl gem\nKd 0.2 0.2 0.7\nNi 2.4\nillum 7\n";
+    let part = "newmtl part\nKd 0.2 0.2 0.7\nd 0.4\nNi 1.5\nillum 7\n";
+    for (texts, glass) in [
+        (vec![wood, wall, sofa], false),
+        (vec![wood, wall], true),
+        (vec![wood], true),
+        (vec![wood, wall, clear], true),
+        (vec![wood, wall, matte], true),
+        (vec![wood, wall, filter], true),
+        (vec![wood, wall, index], true),
+        (vec![wood, wall, part], true),
+        (vec![wood, alike, &wood.replace("newmtl a", "newmtl c")], true),
+    ] {
+        let (material, warnings) = read(&texts.concat());
+        assert_eq!(material.passage() == Passage::Glass, glass, "{texts:?}");
+        let told = warnings.iter().any(|warning| warning.message.contains("an exporter's constant"));
+        assert_eq!(told, !glass, "{texts:?}: {warnings:?}");
+    }
+    let (material, _) = read(&[wood, wall, sofa].concat().replace("illum", "Tr 1\nillum"));
+    assert_eq!((material.passage(), material.dissolve), (Passage::Opaque, 1.0));
+}
+
+#[test]
+fn tr_that_would_hide_most_of_a_library_is_opacity() {
+    let library = |values: &[&str]| -> String {
+        let names = ["a", "b", "c", "d", "e"];
+        names.iter().zip(values).map(|(name, value)| format!("newmtl {name}\nKd 1 1 1\n{value}\n")).collect()
+    };
+    for (values, dissolve) in [
+        (vec!["Tr 1"], 1.0),
+        (vec!["Tr 1.0000", "Tr 1.0"], 1.0),
+        (vec!["Tr 1", "Tr 0.3"], 1.0),
+        (vec!["Tr 0.3", "Tr 1"], 0.3),
+        (vec!["Tr 0.3", "Tr 1", "Tr 1", "", "Tr 1"], 0.3),
+        (vec!["Tr 0", "Tr 1", "Tr 1", "Tr 1"], 1.0),
+        (vec!["Tr 1\nillum 4\nNi 1\nTf 1 1 1", "Tr 1\nillum 4"], 1.0),
+        // As written.
+        (vec!["Tr 1", ""], 0.0),
+        (vec!["Tr 1", "Tr 0"], 0.0),
+        (vec!["Tr 1", "Tr 0", "Tr 0.5", "Tr 1", "Tr 0"], 0.0),
+        (vec!["Tr 0.3", "Tr 0.3"], 0.7),
+        (vec!["Tr 0"], 1.0),
+        (vec!["Tr 1\nd 1", "Tr 1\nd 1"], 1.0),
+        (vec!["Tr 1\nd 0", "Tr 1\nd 0"], 0.0),
+    ] {
+        let (material, warnings) = read(&library(&values));
+        assert_eq!(material.dissolve, dissolve, "{values:?}");
+        let flipped = warnings.iter().any(|warning| warning.message.contains("taken as opacity"));
+        let written =
+            values[0].starts_with("Tr 1") && dissolve == 0.0 || values.iter().all(|value| value.contains('d'));
+        assert!(!(flipped && written), "{values:?}: {warnings:?}");
+    }
+    assert!(read(&library(&["Tr 1"])).1.iter().any(|warning| warning.message.contains("taken as opacity")));
+}
+
+#[test]
+fn colours_in_bytes_are_told_and_taken_as_written() {
+    for (text, help) in [("204 26 26", "0.8 0.102 0.102"), ("255", "1 1 1"), ("0 0 128", "0 0 0.502")] {
+        let (material, warnings) = read(&format!("newmtl a\nKd {text}\n"));
+        assert!(warnings[0].to_string().contains(&format!("did you mean `Kd {help}`?")), "{warnings:?}");
+        assert!(material.kd.max_element() > 100.0);
+    }
+    for text in ["1 1 1", "0.8 0.1 0.1", "1.5 1 1", "2 2 2"] {
+        assert_eq!(read(&format!("newmtl a\nKd {text}\n")).1, [], "{text}");
+    }
+    assert_eq!(read("newmtl a\nKd 0 0 0\nKe 255 200 100\n").1, []);
+}
+
+#[test]
+fn a_library_of_very_many_materials_is_read_in_little_time() {
+    let text: String = (0..100_000).map(|i| format!("newmtl m{i}\nKd 1 1 1\n")).collect();
+    let started = std::time::Instant::now();
+    read(&(text + "newmtl a\nKd 1 1 1\n"));
+    assert!(started.elapsed().as_secs() < 20, "{:?}", started.elapsed());
+}
+
+#[test]
+fn texts_may_end_as_those_of_dos_do() {
+    for end in ["\u{1a}", "\n\u{1a}", "\u{1a}\u{1a}\n"] {
+        assert_eq!(read(&format!("newmtl a\nKd 1 1 1{end}")), read("newmtl a\nKd 1 1 1\n"), "{end:?}");
+    }
+    let (material, warnings) = read("newmtl a\nKd 1 1 1\n\0\0\0");
+    assert_eq!(material.kd, Vec3::ONE);
+    assert!(warnings[0].message.contains("zero bytes fill the end"), "{warnings:?}");
 }
 
 #[test]

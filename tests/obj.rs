@@ -66,11 +66,17 @@ fn text_may_have_any_line_ends_a_mark_and_continuations() {
         format!("# C:\\models\\\n{TRIANGLE}f 1 2 3 # the only one\n"),
         format!("  {TRIANGLE}\n\n\t f  1\t2  3  \n"),
         format!("{TRIANGLE}f 1 2 3\\"),
+        format!("{TRIANGLE}f 1 \\ \n 2 \\\t \r\n 3\n"),
+        format!("{TRIANGLE}f 1 2 3\n\u{1a}"),
+        format!("{TRIANGLE}f 1 2 3\u{1a}"),
+        format!("{TRIANGLE}f 1 2 3\r\n\u{1a}\u{1a}\r\n\n"),
+        format!("{TRIANGLE}f 1 2 3\n\0\0\0\0\n\0"),
+        format!("{TRIANGLE}f 1 2 3\0"),
     ];
     for text in texts {
         assert_eq!(corners(&mesh(&text)), want, "{text:?}");
     }
-    let latin = [b"# caf\xe9\n".as_slice(), TRIANGLE.as_bytes(), b"f 1 2 3\n"].concat();
+    let latin = [b"# caf\xe9\n".as_slice(), TRIANGLE.as_bytes(), b"f 1 2 3 # gr\xfcn\n"].concat();
     assert!(read(&latin).is_ok(), "comments may be in any encoding");
 }
 
@@ -157,6 +163,18 @@ const WRONG: &[(&str, u32, u32, &str)] = &[
     ("o ä\nv ö 0 0\n", 2, 3, "`ö`"),
     ("v 0 0 0\0\n", 1, 8, "a zero byte"),
     ("v 0 0 0\n\0\0\0\0", 2, 1, "a zero byte"),
+    ("v 0 0 0\n\0\0\nf 1 1 1\n", 2, 1, "a zero byte"),
+    ("v 0 0 0\u{1a}\nf 1 1 1\n", 1, 8, "Ctrl-Z"),
+    ("v 0 0 -nan(ind)\n", 1, 7, "a vertex can't be at NaN"),
+    ("v 0 0 nan(snan)\n", 1, 7, "a vertex can't be at NaN"),
+    ("v 1.#QNAN 0 0\n", 1, 3, "a vertex can't be at NaN"),
+    ("v -1.#IND 0 0\n", 1, 3, "a vertex can't be at NaN"),
+    ("v 1.#IND000000 0 0\n", 1, 3, "a vertex can't be at NaN"),
+    ("v 0 1.#INF 0\n", 1, 5, "a vertex can't be at infinity"),
+    ("v 0 -1.#INF00 0\n", 1, 5, "a vertex can't be at infinity"),
+    ("v 0 1.#J 0\n", 1, 5, "a vertex can't be at infinity"),
+    ("v 0 1.# 0\n", 1, 5, "`1.#` is not a number"),
+    ("v 0 nano 0\n", 1, 5, "`nano` is not a number"),
 ];
 
 #[test]
@@ -203,7 +221,12 @@ fn missing_files_and_folders_say_what_to_do() {
 /// What is used, but not as written: where it is said, and a part of the message.
 const DOUBTFUL: &[(&str, u32, u32, &str)] = &[
     ("mtllib none.mtl\nusemtl red\n", 1, 8, "there is no material library"),
-    ("usemtl red\n", 1, 8, "no library has a material `red`"),
+    ("usemtl red\n", 1, 8, "no library has a material `red`, for no `mtllib` names one"),
+    ("usemtl rde\n", 1, 8, "did you mean `red`"),
+    ("vn -nan(ind) -nan(ind) -nan(ind)\n", 1, 1, "no direction"),
+    ("vn 1.#QNAN 1.#QNAN 1.#QNAN\n", 1, 1, "no direction"),
+    ("vn 1.#INF 0 0\n", 1, 1, "no direction"),
+    ("vt -1.#IND 0\n", 1, 1, "not finite"),
     ("mtllib model.mtl\nusemtl rde\n", 2, 8, "did you mean `red`"),
     ("s 1\nmtllib model.mtl\nusemtl red\n", 7, 1, "rendered flat"),
     ("l 1 2\n", 1, 1, "points and lines"),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::components::{
-    Active, Camera, Energy, Environment, Film, Geometry, Material, Name, Render, Transform, UsesMaterial,
+    Active, Camera, Energy, Environment, Film, Geometry, Material, Name, Passage, Render, Transform, UsesMaterial,
 };
 use lucerna::scene::{Diagnostics, Loaded, SceneDescription, apply, check, find, load};
 
@@ -202,6 +202,89 @@ fn every_number_of_a_material_can_be_changed() {
     let red = &loaded.description.materials["square:red"];
     assert_eq!((red.roughness, red.metallic, red.dissolve, red.ni, red.illum), (Some(0.25), 0.5, 0.75, 1.5, 7));
     assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
+}
+
+#[test]
+fn an_illum_in_a_scene_file_is_held_to_the_same_numbers() {
+    for (edit, passage) in [
+        ("illum: 4", Passage::Opaque),
+        ("illum: 7, tf: 1, ni: 1", Passage::Opaque),
+        ("illum: 7, d: 0.5", Passage::SeeThrough),
+        ("illum: 4, ni: 1.5", Passage::Glass),
+        ("illum: 9, tf: (0.5, 1, 1)", Passage::Glass),
+    ] {
+        let text = format!("(models: [(path: \"square.obj\")], materials: {{ \"red\": ({edit}) }})");
+        let loaded = load_text(&text, &[]).unwrap_or_else(|errors| panic!("{errors}"));
+        assert_eq!(loaded.description.materials["square:red"].passage(), passage, "{edit}");
+        let told = loaded.warnings.iter().filter(|warning| warning.message.contains("alone makes no glass")).count();
+        assert_eq!(told, usize::from(passage != Passage::Glass), "{edit}: {:?}", loaded.warnings);
+    }
+}
+
+#[test]
+fn assets_are_known_by_their_content_where_their_ending_says_nothing() {
+    let texts: &[(&str, &str, &str)] = &[
+        ("model", "# made by hand\n\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ""),
+        ("m.obj.txt", SQUARE, ""),
+        ("M.OBJ", SQUARE, ""),
+        ("m.wavefront", "\r\n\r\nvn 0 0 1\r\nv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n", ""),
+        ("scene", "// a scene\n(models: [(path: \"square.obj\")])", ""),
+        ("scene.txt", "(models: [(path: \"square.obj\")])", ""),
+        ("library", SQUARE_MTL, "library of materials"),
+        ("m.glb", "glTF\u{2}\0\0\0", "this is a binary glTF model"),
+        ("m.fbx", "Kaydara FBX Binary  \0", "this is an FBX model"),
+        ("m.ply", "ply\nformat ascii 1.0\n", "this is a PLY model"),
+        ("m.bin", "v 0 0 0\n\0\u{1}", "this is a binary file"),
+        ("notes", "good evening\nv is a letter\n", "trailing characters"),
+        ("empty", "", "unexpected end"),
+    ];
+    let folder = folder(&[("square.obj", SQUARE), ("square.mtl", SQUARE_MTL)]);
+    for (name, text, refusal) in texts {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        match load(&path, &[]) {
+            Ok(loaded) => assert!(refusal.is_empty() && loaded.description.meshes.len() == 1, "{name} was taken"),
+            Err(errors) => {
+                assert!(!refusal.is_empty() && errors.to_string().contains(refusal), "{name}: {errors}");
+                assert_eq!(errors.list.len(), 1, "{errors}");
+            }
+        }
+        // The same, as a scene's model.
+        std::fs::write(folder.path().join("of.ron"), format!("(models: [(path: {name:?})])")).unwrap();
+        let is_model = refusal.is_empty() && !text.contains("models");
+        match load(&folder.path().join("of.ron"), &[]) {
+            Ok(loaded) => assert!(is_model && !loaded.description.meshes.is_empty(), "{name} was taken"),
+            Err(errors) => assert!(!is_model && errors.list.iter().all(|error| error.line == 1), "{name}: {errors}"),
+        }
+    }
+    std::fs::write(folder.path().join("of.ron"), "(models: [(path: \"sqaure.obj\")])").unwrap();
+    let errors = load(&folder.path().join("of.ron"), &[]).unwrap_err();
+    assert!(errors.to_string().contains("did you mean `square.obj`"), "{errors}");
+}
+
+#[test]
+fn check_says_what_each_material_is_taken_as() {
+    let mtl = "newmtl red\nKd 0.8 0.1 0.1\nillum 4\nnewmtl clear\nNi 1.5\nillum 7\n";
+    let folder = folder(&[("square.obj", SQUARE), ("square.mtl", mtl), ("scene.ron", SCENE)]);
+    let table = |name: &str| -> Vec<(String, String, &str, String)> {
+        let tables = check(&folder.path().join(name)).tables;
+        let rows =
+            tables.into_iter().flat_map(|table| table.rows.into_iter().map(move |row| (table.file.clone(), row)));
+        rows.map(|(file, row)| {
+            (file.file_name().unwrap().to_string_lossy().into_owned(), row.name, row.look.kind, row.look.reason)
+        })
+        .collect()
+    };
+    let red = "Kd 0.8 0.1 0.1; illum 4 alone makes no glass (Ni 1, Tf 1 1 1, d 1)".to_owned();
+    let row = |file: &str, name: &str, kind, reason: &str| (file.to_owned(), name.to_owned(), kind, reason.to_owned());
+    assert_eq!(table("square.obj"), [row("square.obj", "red", "diffuse", &red)]);
+    assert_eq!(
+        table("square.mtl"),
+        [row("square.mtl", "clear", "glass", "illum 7, Ni 1.5"), row("square.mtl", "red", "diffuse", &red)]
+    );
+    // What a scene shows is told once, with what the scene changes.
+    let glossy = "Kd 0.8 0.1 0.1, Ks 0.5 0.5 0.5, Ns 32; illum 4 alone makes no glass (Ni 1, Tf 1 1 1, d 1)";
+    assert_eq!(table(""), [row("scene.ron", "square:red", "glossy", glossy)]);
 }
 
 #[test]

@@ -17,6 +17,7 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
     let mut errors = 0;
     let mut warnings = 0;
     let mut files = 0;
+    let mut tables = String::new();
     let paths = if arguments.paths.is_empty() { vec![assets()] } else { arguments.paths.clone() };
     for path in &paths {
         let checked = scene::check(path);
@@ -28,6 +29,7 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
             }
             show(diagnostic);
         }
+        checked.tables.iter().for_each(|table| tables += &rendered(table));
     }
     let mut text = format!("{files} {}", plural(files, "asset", "assets"));
     if arguments.paths.is_empty() {
@@ -40,12 +42,25 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
         plural(errors, "error", "errors"),
         plural(warnings, "warning", "warnings")
     );
-    output::print(&text)?;
+    output::print(&(text + &tables))?;
     Ok(if errors == 0 { Exit::Done } else { Exit::Failed })
 }
 
 fn plural<'a>(n: usize, one: &'a str, many: &'a str) -> &'a str {
     if n == 1 { one } else { many }
+}
+
+/// A file's materials, one a line: name, what it is taken as, and why.
+fn rendered(table: &scene::Table) -> String {
+    let shown = |name: &str| -> String { name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect() };
+    let width = |texts: &mut dyn Iterator<Item = usize>| texts.max().unwrap_or_default().min(40);
+    let names = width(&mut table.rows.iter().map(|row| row.name.chars().count()));
+    let kinds = width(&mut table.rows.iter().map(|row| row.look.kind.len()));
+    let mut text = format!("\n{}\n", table.file.display());
+    for scene::Row { name, look } in &table.rows {
+        text += &format!("  {:names$}  {:kinds$}  {}\n", shown(name), look.kind, look.reason);
+    }
+    text
 }
 
 /// The folder of assets: of the current folder, or of the source tree this was built from.

@@ -74,6 +74,10 @@ impl SceneFlags {
         }
         let mut description = loaded.description;
         self.adjust(&mut description)?;
+        let unseen = scene::unseen_by(&description, &description.active, &path);
+        if let Some(warning) = unseen.filter(|warning| !quiet && !loaded.warnings.contains(warning)) {
+            show(&warning);
+        }
         Ok(Opened { path, description, files: loaded.files })
     }
 

@@ -30,7 +30,7 @@ pub struct Material {
     pub dissolve: f32,
     /// Transmission filter, each channel 0 to 1.
     pub tf: Vec3,
-    /// The file's illumination model, 0 to 10: 3, 5 and 8 make the specular lobe a mirror, 4, 6, 7 and 9 make glass.
+    /// The file's illumination model, 0 to 10. What it means, [`Material::passage`] and [`Material::specular`] say.
     pub illum: u32,
     /// Image files of `map_*` statements.
     pub maps: TextureMaps,

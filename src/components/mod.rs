@@ -16,6 +16,7 @@ mod environment;
 mod film;
 mod material;
 mod mesh;
+mod surface;
 
 pub use bevy_ecs::name::Name;
 pub use camera::{Active, Camera};
@@ -23,3 +24,4 @@ pub use environment::{Environment, EnvironmentMap};
 pub use film::{Crop, Energy, Film, Integrator, Render, Sampler};
 pub use material::{Material, TextureMaps};
 pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};
+pub use surface::{Appearance, Passage, Specular};

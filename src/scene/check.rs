@@ -4,10 +4,12 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
-use super::load::load;
+use super::kind::Kind;
+use super::load::{Loaded, attempt, bare};
 use super::mtl::read_mtl;
-use super::obj::read_obj;
 use super::text::cannot_read;
+use super::unseen::unseen_by;
+use crate::components::Appearance;
 
 /// What a check has read and found.
 #[derive(Clone, Debug, Default)]
@@ -15,14 +17,32 @@ pub struct Checked {
     /// The assets that were checked, sorted.
     pub files: Vec<PathBuf>,
     pub diagnostics: Diagnostics,
+    /// The materials of each file that no other one of them reads.
+    pub tables: Vec<Table>,
 }
 
-/// Checks an asset file (.obj, .mtl, .ron), or every one in a folder and the folders below it.
+/// The materials of a scene, model or library.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    pub file: PathBuf,
+    /// In the order of their names.
+    pub rows: Vec<Row>,
+}
+
+/// What a material is taken as, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Of a scene, `model:material`.
+    pub name: String,
+    pub look: Appearance,
+}
+
+/// Checks an asset file (OBJ, MTL, RON), or every one in a folder and the folders below it.
 ///
 /// A message that several files lead to (a scene and the model it names) is kept once.
 pub fn check(path: &Path) -> Checked {
     let mut checked = Checked::default();
-    if path.is_dir() && !is_asset(path) {
+    if path.is_dir() && Kind::by_ending(path).is_none() {
         collect(path, 0, &mut checked);
         checked.files.sort();
         if checked.files.is_empty() && !checked.diagnostics.has_errors() {
@@ -33,14 +53,27 @@ pub fn check(path: &Path) -> Checked {
         checked.files.push(path.to_path_buf());
     }
     let mut seen = BTreeSet::new();
+    let mut read = BTreeSet::new();
     for file in &checked.files {
-        for diagnostic in check_file(file) {
+        let mut found = check_file(file);
+        for diagnostic in found.diagnostics {
             if seen.insert((diagnostic.file.clone(), diagnostic.line, diagnostic.column, diagnostic.message.clone())) {
                 checked.diagnostics.push(diagnostic);
             }
         }
+        if !found.rows.is_empty() {
+            found.rows.sort_by(|a, b| a.name.cmp(&b.name));
+            checked.tables.push(Table { file: file.clone(), rows: found.rows });
+        }
+        read.extend(found.reads.into_iter().filter(|other| other != file).map(identity));
     }
+    checked.tables.retain(|table| !read.contains(&identity(table.file.clone())));
     checked
+}
+
+/// One path for each file, whatever it was reached by.
+fn identity(path: PathBuf) -> PathBuf {
+    path.canonicalize().unwrap_or(path)
 }
 
 /// What can be checked.
@@ -60,41 +93,59 @@ fn collect(folder: &Path, depth: usize, checked: &mut Checked) {
             if depth < MAX_DEPTH {
                 collect(&path, depth + 1, checked);
             }
-        } else if is_asset(&path) {
+        } else if Kind::by_ending(&path).is_some() {
             checked.files.push(path);
         }
     }
 }
 
-/// The messages of one file.
-fn check_file(path: &Path) -> Diagnostics {
-    let mut diagnostics = Diagnostics::default();
-    let mut files = Vec::new();
-    match extension(path).as_str() {
-        "ron" => match load(path, &[]) {
-            Ok(loaded) => diagnostics.list = loaded.warnings,
-            Err(errors) => diagnostics = errors,
-        },
-        "obj" => {
-            read_obj(path, &mut diagnostics, &mut files);
+/// What there is to say of one file.
+#[derive(Default)]
+struct Found {
+    diagnostics: Diagnostics,
+    rows: Vec<Row>,
+    /// The files it was read from.
+    reads: Vec<PathBuf>,
+}
+
+/// Reads one file.
+fn check_file(path: &Path) -> Found {
+    let mut found = Found::default();
+    match Kind::of(path) {
+        Ok(Some(kind @ (Kind::Scene | Kind::Model))) => {
+            let (loaded, reads) = attempt(path, &[]);
+            found.reads = reads;
+            match loaded {
+                Ok(loaded) => found.take(path, kind, loaded),
+                Err(errors) => found.diagnostics = errors,
+            }
         }
-        "mtl" => {
-            read_mtl(path, &mut diagnostics);
+        Ok(Some(Kind::Library)) => {
+            let materials = read_mtl(path, &mut found.diagnostics).unwrap_or_default();
+            found.rows.extend(materials.into_iter().map(|(name, material)| Row { name, look: material.appearance() }));
         }
-        _ => {
+        Ok(None) => {
             let message = "can't check this kind of file";
-            diagnostics.push(Diagnostic::file(Severity::Error, path, message).help(KINDS));
+            found.diagnostics.push(Diagnostic::file(Severity::Error, path, message).help(KINDS));
+        }
+        Err(error) => found.diagnostics.push(error),
+    }
+    found
+}
+
+impl Found {
+    /// Takes the messages and materials of a scene, and what its cameras miss.
+    fn take(&mut self, path: &Path, kind: Kind, loaded: Loaded) {
+        self.diagnostics.list = loaded.warnings;
+        let description = &loaded.description;
+        for camera in description.cameras.keys() {
+            let unseen = unseen_by(description, camera, path);
+            self.diagnostics.list.extend(unseen);
+        }
+        for (key, material) in &description.materials {
+            // A model by itself is named by its file.
+            let name = if kind == Kind::Model { bare(key) } else { key };
+            self.rows.push(Row { name: name.to_owned(), look: material.appearance() });
         }
     }
-    diagnostics
-}
-
-/// Whether a path has the name of an asset.
-fn is_asset(path: &Path) -> bool {
-    matches!(extension(path).as_str(), "obj" | "mtl" | "ron")
-}
-
-/// A file's extension in small letters.
-fn extension(path: &Path) -> String {
-    path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
 }

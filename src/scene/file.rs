@@ -77,6 +77,11 @@ pub struct MaterialEdit {
 }
 
 impl MaterialEdit {
+    /// Whether it gives an `illum` of glass.
+    pub fn asks_for_glass(&self) -> bool {
+        self.illum.is_some_and(|illum| Material { illum, ..Material::default() }.asks_for_glass())
+    }
+
     /// Writes the given numbers over a material's.
     pub fn apply(&self, material: &mut Material) {
         let set = |to: &mut Vec3, from: Option<Vec3>| *to = from.unwrap_or(*to);

@@ -4,13 +4,20 @@ use std::io::BufRead;
 use std::path::{Path, PathBuf};
 
 use super::diagnostic::{Diagnostic, Severity};
-use super::text::{cannot_read, not_utf8};
+use super::text::{cannot_read, lenient, not_utf8};
 
 /// Bytes that a line may have, its continuations included: a file without line ends must not fill the memory.
 const LINE_LIMIT: usize = 4 << 20;
 
 /// What some editors put before UTF-8 text.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// What DOS ends a text with.
+const CTRL_Z: u8 = 0x1a;
+
+/// Statements of names, which may be in any encoding; so may be those of images, `map_*`.
+const NAMING: &[&str] =
+    &["usemtl", "newmtl", "mtllib", "o", "g", "maplib", "usemap", "bump", "disp", "decal", "refl", "norm"];
 
 /// One logical line: its text, and where its physical lines begin.
 #[derive(Debug, Default)]
@@ -52,12 +59,20 @@ impl Line {
     }
 }
 
+/// A name as it stands behind its statement, without the quotes that some programs put around it.
+pub fn unquoted(name: &str) -> &str {
+    let name = name.trim();
+    let inner = name.strip_prefix('"').and_then(|name| name.strip_suffix('"')).map(str::trim);
+    inner.filter(|inner| !inner.is_empty() && !inner.contains('"')).unwrap_or(name)
+}
+
 /// The words of a statement of numbers, up to a comment.
 pub fn words(rest: &str) -> impl Iterator<Item = &str> {
     rest.split_whitespace().take_while(|word| !word.starts_with('#'))
 }
 
-/// Reads logical lines. Lines end with `\n`, `\r\n` or `\r`; a byte order mark is left out.
+/// Reads logical lines. Lines end with `\n`, `\r\n` or `\r`; a byte order mark is left out, and so are Ctrl-Z and zero bytes at the
+/// end of the file.
 pub struct Lines<R> {
     reader: R,
     file: PathBuf,
@@ -67,17 +82,32 @@ pub struct Lines<R> {
     after_return: bool,
     /// The end of the file was met, in a line without an end.
     open_end: bool,
+    /// An error about the first of the zero bytes that fill the end of the file.
+    zeros: Option<Diagnostic>,
 }
 
 impl<R: BufRead> Lines<R> {
     /// `file` is the name in messages.
     pub fn new(reader: R, file: &Path) -> Self {
-        Self { reader, file: file.to_path_buf(), number: 0, bytes: Vec::new(), after_return: false, open_end: false }
+        Self {
+            reader,
+            file: file.to_path_buf(),
+            number: 0,
+            bytes: Vec::new(),
+            after_return: false,
+            open_end: false,
+            zeros: None,
+        }
     }
 
     /// The number of the line read last, from 1.
     pub fn number(&self) -> u32 {
         self.number
+    }
+
+    /// An error about the zero bytes that fill the end of the file, once it was read.
+    pub fn zeros(&mut self) -> Option<Diagnostic> {
+        self.zeros.take()
     }
 
     /// Reads the next logical line into `line`; false at the end. An error is final: what follows is no text.
@@ -98,32 +128,72 @@ impl<R: BufRead> Lines<R> {
             }
             line.starts.push((line.text.len(), self.number));
             let comment = self.bytes.trim_ascii_start().starts_with(b"#");
-            self.append(line, comment)?;
+            if !comment {
+                self.cut_padding(line)?;
+            }
+            let foreign = self.append(line, comment)?;
             // A comment may well end with a folder's name, `# C:\models\`: it continues nothing.
-            if comment || !line.text.ends_with('\\') {
+            let Some(kept) = continued(&line.text).filter(|_| !comment) else { return Ok(true) };
+            // In Shift-JIS and GBK a backslash may be the second half of a letter.
+            if foreign && line.text[..kept].chars().next_back().is_some_and(|c| !c.is_ascii()) {
                 return Ok(true);
             }
-            line.text.pop();
+            line.text.truncate(kept);
             line.text.push(' ');
         }
     }
 
-    /// Adds the bytes of one physical line as text.
-    fn append(&mut self, line: &mut Line, comment: bool) -> Result<(), Diagnostic> {
-        match std::str::from_utf8(&self.bytes) {
-            Ok(text) if comment || !text.contains('\0') => line.text.push_str(text),
+    /// Adds the bytes of one physical line as text. Whether they are no UTF-8, as names may be, and what follows a `#`.
+    fn append(&mut self, line: &mut Line, comment: bool) -> Result<bool, Diagnostic> {
+        let error = match std::str::from_utf8(&self.bytes) {
             Ok(text) => {
-                let at = text.find('\0').unwrap_or(0);
-                let message = "a zero byte: this is no text file";
-                return Err(Diagnostic::at(Severity::Error, &self.file, self.number, text, at, message)
-                    .help("is this a binary file, or UTF-16 text? Save text as UTF-8"));
+                line.text.push_str(text);
+                return Ok(false);
             }
-            Err(_) if comment => line.text.push('#'),
-            Err(error) => {
-                let diagnostic = not_utf8(&self.file, &self.bytes, error.valid_up_to());
-                return Err(Diagnostic { line: self.number, ..diagnostic });
-            }
+            Err(error) => error,
+        };
+        let start = if line.text.is_empty() { self.bytes.as_slice() } else { line.text.as_bytes() };
+        if comment || self.bytes[..error.valid_up_to()].contains(&b'#') || is_naming(start) {
+            line.text.push_str(&lenient(&self.bytes));
+            return Ok(true);
         }
+        let diagnostic = not_utf8(&self.file, &self.bytes, error.valid_up_to());
+        Err(Diagnostic { line: self.number, ..diagnostic })
+    }
+
+    /// Takes Ctrl-Z or zero bytes off the line, if nothing but their like follows in the whole file; else they are an error.
+    fn cut_padding(&mut self, line: &Line) -> Result<(), Diagnostic> {
+        let Some(at) = self.bytes.iter().position(|byte| matches!(*byte, 0 | CTRL_Z)) else { return Ok(()) };
+        let error = match std::str::from_utf8(&self.bytes) {
+            Err(error) if !is_naming(&self.bytes) => {
+                Diagnostic { line: self.number, ..not_utf8(&self.file, &self.bytes, error.valid_up_to()) }
+            }
+            _ => {
+                let message = match self.bytes[at] {
+                    0 => "a zero byte: this is no text file",
+                    _ => "a byte 0x1a (Ctrl-Z), which ends a text, and more text after it",
+                };
+                let text = lenient(&self.bytes);
+                Diagnostic::at(Severity::Error, &self.file, self.number, &text, at, message)
+                    .help("is this a binary file, or UTF-16 text? Save text as UTF-8")
+            }
+        };
+        let text = self.bytes[..at].to_vec();
+        let mut rest = self.bytes.split_off(at);
+        loop {
+            if rest.iter().any(|byte| !matches!(*byte, 0 | CTRL_Z) && !byte.is_ascii_whitespace()) {
+                return Err(error);
+            }
+            if self.zeros.is_none() && rest.contains(&0) {
+                self.zeros = Some(error.clone());
+            }
+            self.bytes.clear();
+            if !self.read_bytes(line)? && self.bytes.is_empty() {
+                break;
+            }
+            rest.clone_from(&self.bytes);
+        }
+        self.bytes = text;
         Ok(())
     }
 
@@ -163,4 +233,17 @@ impl<R: BufRead> Lines<R> {
             return Ok(true);
         }
     }
+}
+
+/// Bytes before the backslash of a line that the next one continues; spaces may stand behind it.
+fn continued(text: &str) -> Option<usize> {
+    text.trim_end_matches([' ', '\t']).strip_suffix('\\').map(str::len)
+}
+
+/// Whether a line begins with a statement of names.
+fn is_naming(line: &[u8]) -> bool {
+    let line = line.trim_ascii_start();
+    let end = line.iter().position(u8::is_ascii_whitespace).unwrap_or(line.len());
+    let key = line[..end].to_ascii_lowercase();
+    key.starts_with(b"map_") || NAMING.iter().any(|name| name.as_bytes() == key)
 }

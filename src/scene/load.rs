@@ -8,12 +8,15 @@ use glam::{DAffine3, DVec3};
 
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::file::{DEFAULT_CAMERA, EnvironmentEntry, MaterialEntry, ModelEntry, SceneFile, read_scene};
+use super::kind::Kind;
+use super::locate::{as_written, file_names};
 use super::obj::{Model, read_obj};
 use super::picture::read_picture;
 use super::ron::{Reader, apply_defines, define_texts, parse};
-use super::suggest::known_names;
+use super::suggest::{did_you_mean, known_names};
 use super::text::Text;
-use crate::components::{Camera, Environment, Film, Material, MeshData, Render, Transform};
+use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
+use crate::components::{Camera, Environment, Film, Material, MeshData, Passage, Render, Transform};
 
 /// Bytes that a scene file may have.
 const SCENE_LIMIT: u64 = 4 << 20;
@@ -80,11 +83,6 @@ pub fn attempt(scene: &Path, defines: &[(String, String)]) -> (Result<Loaded, Di
     (loaded, files)
 }
 
-/// Whether a path is that of an OBJ file.
-pub fn is_obj(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
-}
-
 #[derive(Default)]
 struct Loader {
     files: Vec<PathBuf>,
@@ -100,8 +98,10 @@ impl Loader {
         let mut meshes = BTreeMap::new();
         let mut materials = BTreeMap::new();
         let mut names = BTreeMap::new();
+        let mut models = Vec::new();
         for entry in &file.models {
-            self.add_model(folder, entry, &mut names, &mut meshes, &mut materials);
+            let name = self.add_model(folder, entry, &mut names, &mut meshes, &mut materials);
+            models.extend(name.map(|name| (name, &entry.place)));
         }
         for entry in &file.materials {
             self.edit_materials(entry, &mut materials);
@@ -109,7 +109,7 @@ impl Loader {
         let cameras = if file.cameras.is_empty() { default_camera(&meshes, &file) } else { file.cameras };
         let environment = file.environment.and_then(|entry| self.read_environment(folder, entry));
         let active = file.active.or_else(|| cameras.keys().next().cloned())?;
-        Some(SceneDescription {
+        let description = SceneDescription {
             name: stem(scene),
             meshes,
             materials,
@@ -118,12 +118,42 @@ impl Loader {
             film: file.film,
             render: file.render,
             environment,
-        })
+        };
+        self.warn_of_unseen(&description, &models, scene);
+        Some(description)
+    }
+
+    /// Says which models can't be seen at all.
+    fn warn_of_unseen(&mut self, description: &SceneDescription, models: &[(String, &Diagnostic)], scene: &Path) {
+        for (name, place) in models {
+            if let Some(message) = unseen_model(description, name) {
+                self.diagnostics.push(Diagnostic { message, severity: Severity::Warning, ..(*place).clone() });
+            }
+        }
+        let camera = description.cameras.get(&description.active);
+        if camera.and_then(|camera| beyond(description, camera)) == Some(Beyond::Behind) {
+            self.diagnostics.list.extend(unseen_by(description, &description.active, scene));
+        }
     }
 
     /// Reads and types the scene file; for an OBJ file, the scene that holds it alone.
     fn read_file(&mut self, scene: &Path, defines: &[(String, String)]) -> Option<SceneFile> {
-        let text = if is_obj(scene) {
+        let model = match Kind::of(scene) {
+            Ok(Some(Kind::Model)) => true,
+            Ok(Some(Kind::Library)) => {
+                self.files.push(scene.to_path_buf());
+                let error = Diagnostic::file(Severity::Error, scene, "this is a library of materials, not a scene");
+                self.diagnostics.push(error.help("name the model (.obj) that uses it, or `lucerna check` it"));
+                return None;
+            }
+            Ok(_) => false,
+            Err(error) => {
+                self.files.push(scene.to_path_buf());
+                self.diagnostics.push(error);
+                return None;
+            }
+        };
+        let text = if model {
             let text = "(environment: Constant(1.0))".to_owned();
             Ok(Text { file: scene.to_path_buf(), text })
         } else {
@@ -140,7 +170,7 @@ impl Loader {
         let reader = Reader::default();
         let mut file = read_scene(&reader, &root);
         self.diagnostics.list.extend(reader.into_diagnostics());
-        if is_obj(scene) {
+        if model {
             let path = scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
             let place = Diagnostic::file(Severity::Error, scene, "");
             file.models.insert(0, ModelEntry { path, name: None, transform: DAffine3::IDENTITY, place });
@@ -177,7 +207,7 @@ impl Loader {
         }
     }
 
-    /// Adds the meshes and materials of one model under names of its own.
+    /// Adds the meshes and materials of one model under a name of its own, which it returns.
     fn add_model(
         &mut self,
         folder: &Path,
@@ -185,26 +215,17 @@ impl Loader {
         names: &mut BTreeMap<String, u32>,
         meshes: &mut BTreeMap<String, MeshEntry>,
         materials: &mut BTreeMap<String, Material>,
-    ) {
-        let path = folder.join(entry.path.replace('\\', "/"));
-        if !is_obj(&path) {
-            let message = format!("`{}` is no .obj file: models are read from OBJ files only", entry.path);
-            return self.diagnostics.push(Diagnostic { message, ..entry.place.clone() });
-        }
-        if !path.exists() && entry.place.line > 0 {
-            let message = format!("there is no file `{}`", path.display());
-            self.files.push(path);
-            let help = "the path is relative to the folder of the scene file";
-            return self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help(help));
-        }
+    ) -> Option<String> {
+        let path = self.find_model(folder, entry)?;
         if !self.models.contains_key(&path) {
             let model = read_obj(&path, &mut self.diagnostics, &mut self.files);
             self.models.insert(path.clone(), model);
         }
-        let Some(Some(model)) = self.models.get(&path) else { return };
+        let model = self.models.get(&path)?.as_ref()?;
         if let Some(name) = entry.name.as_ref().filter(|name| names.contains_key(*name)) {
             let message = format!("a model before this one is named `{name}` too");
-            return self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help("give it another `name`"));
+            self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help("give it another `name`"));
+            return None;
         }
         let name = unique(entry.name.clone().unwrap_or_else(|| stem(&path)), names);
         let transform = Transform(entry.transform);
@@ -223,6 +244,39 @@ impl Loader {
             let help = "scale it down: single precision can't hold such distances";
             self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help(help));
         }
+        Some(name)
+    }
+
+    /// The file of a model, if it is one.
+    fn find_model(&mut self, folder: &Path, entry: &ModelEntry) -> Option<PathBuf> {
+        // A model that is opened by itself may have any name.
+        let path = if entry.place.line > 0 { as_written(folder, &entry.path) } else { entry.place.file.clone() };
+        let error = if !path.exists()
+            && entry.place.line > 0
+            && !matches!(Kind::by_ending(&path), Some(Kind::Scene | Kind::Library))
+        {
+            let names = file_names(path.parent().unwrap_or(folder));
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let near = did_you_mean(&name, names.iter().map(String::as_str));
+            let help = near.unwrap_or_else(|| "the path is relative to the folder of the scene file".into());
+            let message = format!("there is no file `{}`", path.display());
+            Diagnostic { message, ..entry.place.clone() }.help(help)
+        } else {
+            match Kind::of(&path) {
+                Ok(Some(Kind::Model)) => return Some(path),
+                Ok(_) => {
+                    let message = format!("`{}` is no .obj file: models are read from OBJ files only", entry.path);
+                    Diagnostic { message, ..entry.place.clone() }
+                }
+                Err(error) => {
+                    let message = format!("can't use `{}` as a model: {}", entry.path, error.message);
+                    Diagnostic { message, help: error.help, ..entry.place.clone() }
+                }
+            }
+        };
+        self.files.push(path);
+        self.diagnostics.push(error);
+        None
     }
 
     /// Applies one entry of the scene file's `materials`: to a full key, or to every model's material of that name.
@@ -230,8 +284,15 @@ impl Loader {
         let mut found = false;
         for (key, material) in materials.iter_mut() {
             if *key == entry.name || bare(key) == entry.name {
+                let glass = entry.edit.asks_for_glass();
                 entry.edit.apply(material);
                 found = true;
+                if glass && material.passage() != Passage::Glass {
+                    let (illum, look) = (material.illum, material.appearance().kind);
+                    let message = format!("`illum {illum}` alone makes no glass of `{key}`, which is {look}");
+                    let warning = Diagnostic { message, severity: Severity::Warning, ..entry.place.clone() };
+                    self.diagnostics.push(warning.help("for glass, give it `ni` or `tf` too"));
+                }
             }
         }
         if !found && !self.diagnostics.has_errors() {
@@ -248,7 +309,7 @@ impl Loader {
 }
 
 /// The material's own name within a key `model:material`.
-fn bare(key: &str) -> &str {
+pub fn bare(key: &str) -> &str {
     key.split_once(':').map_or(key, |(_, name)| name)
 }
 
@@ -269,7 +330,7 @@ fn unique(name: String, names: &mut BTreeMap<String, u32>) -> String {
 }
 
 /// The eight corners of a box.
-fn corners(min: DVec3, max: DVec3) -> [DVec3; 8] {
+pub fn corners(min: DVec3, max: DVec3) -> [DVec3; 8] {
     std::array::from_fn(|i| {
         let pick = |axis: usize| if i >> axis & 1 == 0 { min[axis] } else { max[axis] };
         DVec3::new(pick(0), pick(1), pick(2))

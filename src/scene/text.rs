@@ -92,6 +92,36 @@ fn too_large(file: &Path, bytes: u64, limit: u64) -> Diagnostic {
     Diagnostic::file(Severity::Error, file, message).help("split it into several files")
 }
 
+/// Bytes as text, of which names may be in any encoding: what is UTF-8 is taken so, any other byte as the letter it is in
+/// Latin-1, or in a private area where it is none. Other bytes give another text, and a byte is one character.
+pub fn lenient(bytes: &[u8]) -> String {
+    let mut text = String::with_capacity(bytes.len());
+    for chunk in bytes.utf8_chunks() {
+        text.push_str(chunk.valid());
+        text.extend(chunk.invalid().iter().map(|byte| match byte {
+            0xa1.. => char::from(*byte),
+            _ => char::from_u32(0xf700 + u32::from(*byte)).unwrap_or(char::REPLACEMENT_CHARACTER),
+        }));
+    }
+    text
+}
+
+/// A number as programs write it, also what Microsoft's C library makes of NaN and infinity: `-nan(ind)`, `1.#QNAN`, `-1.#IND00`.
+pub fn number(word: &str) -> Option<f64> {
+    if let Ok(value) = word.parse() {
+        return Some(value);
+    }
+    let sign = if word.starts_with('-') { -1.0 } else { 1.0 };
+    let bare = word.trim_start_matches(['+', '-']).to_ascii_lowercase();
+    if bare.starts_with("nan(") && bare.ends_with(')') {
+        return Some(f64::NAN);
+    }
+    let (digits, rest) = bare.split_once(".#")?;
+    let odd = digits.bytes().all(|byte| byte.is_ascii_digit()) && rest.starts_with(|c: char| c.is_ascii_alphabetic());
+    // Cut to few places, infinity is `1.#J`.
+    odd.then_some(if rest.starts_with("inf") || rest.starts_with('j') { sign * f64::INFINITY } else { f64::NAN })
+}
+
 /// The error for bytes that are no UTF-8, which `valid` bytes of are.
 pub fn not_utf8(file: &Path, bytes: &[u8], valid: usize) -> Diagnostic {
     let before = &bytes[..valid];

@@ -101,6 +101,17 @@ fn check_reads_assets_and_links_every_pass() {
 }
 
 #[test]
+fn check_prints_a_table_of_materials() {
+    let folder = folder_with("a.mtl", b"newmtl grey\nKd 0.6 0.6 0.6\nillum 4\nTf 1 1 1\nNi 1\n");
+    let run = lucerna(folder.path(), &["check", "a.obj"]);
+    let out = String::from_utf8(run.stdout).unwrap();
+    assert!(
+        out.starts_with("1 asset: 0 errors, 1 warning\n\na.obj\n  grey  diffuse  Kd 0.6 0.6 0.6; illum 4 alone"),
+        "{out}"
+    );
+}
+
+#[test]
 fn doctor_names_the_adapter_that_is_used() {
     let run = lucerna(Path::new("."), &["doctor"]);
     let out = String::from_utf8(run.stdout).unwrap();

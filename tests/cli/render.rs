@@ -145,6 +145,20 @@ fn huge_films_render_or_are_refused_without_a_panic() {
     assert_eq!(exr_of(&folder.path().join("x.exr")).len(), 16);
 }
 
+#[test]
+fn an_exporters_illum_of_glass_hides_nothing() {
+    let folder = folder_with("", b"");
+    let mean = |mtl: &str| {
+        std::fs::write(folder.path().join("a.mtl"), format!("newmtl grey\nKd 0.5 0.5 0.5\n{mtl}")).unwrap();
+        rendered(folder.path(), &["-o", "x.json"])["mean"].clone()
+    };
+    let matte = mean("");
+    for mtl in ["illum 4\nKa 0 0 0\nTf 1.00 1.00 1.00\nNi 1.00\n", "illum 7\n", "Tr 1\n", "illum 9\nTr 1\nNi 1\n"] {
+        assert_eq!(mean(mtl), matte, "{mtl}");
+    }
+    assert_ne!(mean("illum 7\nNi 1.5\n"), matte);
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupt_writes_what_there_is() {

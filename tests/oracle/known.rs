@@ -38,9 +38,10 @@ fn closed_furnace_is_a_geometric_series() {
 
 #[test]
 fn a_shell_of_index_one_and_a_clear_veil_are_invisible() {
-    for material in
-        [Material { ni: 1.0, tf: Vec3::ONE, ..glass() }, Material { dissolve: 0.0, tf: Vec3::ONE, ..veil() }]
-    {
+    for material in [
+        Material { ni: 1.0, dissolve: 0.0, tf: Vec3::ONE, ..glass() },
+        Material { dissolve: 0.0, tf: Vec3::ONE, ..veil() },
+    ] {
         let picture = |ball: bool| {
             let mut stage = Stage::new(SMALL, 4, DVec3::Z * 3.0, DVec3::ZERO);
             stage.sky(sky_map());

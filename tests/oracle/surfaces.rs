@@ -117,3 +117,18 @@ fn glass_reflects_and_refracts_by_the_laws() {
         assert!((rate - right).abs() <= allowed, "{rate} reflected at {degrees}, not {right}");
     }
 }
+
+#[test]
+fn illum_means_here_what_it_means_in_the_engine() {
+    let plain = Material { kd: Vec3::new(0.8, 0.1, 0.1), ks: Vec3::splat(0.1), ..Material::default() };
+    let facing = seen_at(30.0);
+    let value =
+        |material: &Material| Bsdf::new(material, Energy::Preserve).evaluate(&facing, DVec3::new(0.6, 0.0, 0.8));
+    for illum in [4, 6, 7, 9] {
+        assert_eq!(value(&Material { illum, ..plain.clone() }), value(&plain), "illum {illum} alone makes no glass");
+        assert_eq!(value(&Material { illum, ni: 1.5, ..plain.clone() }).1, 0.0, "illum {illum}, Ni 1.5 is glass");
+    }
+    let mirror = |illum| value(&Material { illum, ..plain.clone() });
+    assert_ne!(mirror(3), value(&plain));
+    assert_eq!([mirror(5), mirror(8)], [mirror(3); 2]);
+}

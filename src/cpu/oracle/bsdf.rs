@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_1_PI, PI, TAU};
 use glam::{DMat3, DVec3};
 
 use super::random::Random;
-use crate::components::{Energy, Material};
+use crate::components::{self, Energy, Material, Passage};
 
 /// Least alpha of a rough conductor, as the definition of `roughness` has it.
 const LEAST_ALPHA: f64 = 1e-4;
@@ -62,16 +62,19 @@ impl Bsdf {
             Energy::Preserve => (kd + ks).max_element().max(1.0),
             Energy::AsWritten => 1.0,
         };
-        let specular = match (material.roughness, material.illum) {
-            (Some(roughness), _) => Specular::Ggx(f64::from(roughness).powi(2).max(LEAST_ALPHA)),
-            (None, 3 | 5) => Specular::Mirror,
-            (None, _) => Specular::Phong(f64::from(material.ns).clamp(0.0, 1e5)),
+        let specular = match material.specular() {
+            components::Specular::Ggx => {
+                let roughness = f64::from(material.roughness.unwrap_or_default());
+                Specular::Ggx(roughness.powi(2).max(LEAST_ALPHA))
+            }
+            components::Specular::Mirror => Specular::Mirror,
+            components::Specular::Phong => Specular::Phong(f64::from(material.ns).clamp(0.0, 1e5)),
         };
         Self {
             kd: kd / scale,
             ks: ks / scale,
             specular,
-            glass: matches!(material.illum, 4 | 6 | 7 | 9).then(|| f64::from(material.ni)),
+            glass: (material.passage() == Passage::Glass).then(|| f64::from(material.ni)),
             opacity: f64::from(material.dissolve),
             tf: material.tf.as_dvec3(),
         }

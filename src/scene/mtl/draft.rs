@@ -4,15 +4,13 @@ use std::path::Path;
 
 use glam::Vec3;
 
+use super::exporter::Habits;
 use super::maps;
-use super::values::{colour, scalar};
-use crate::components::{Material, TextureMaps};
+use super::values::{BRIGHTEST, colour, reflectance, scalar};
+use crate::components::{Material, Passage, TextureMaps};
 use crate::scene::diagnostic::{Diagnostic, Tally};
 use crate::scene::lines::{Line, words};
 use crate::scene::suggest::did_you_mean;
-
-/// Greatest reflectance and emission: their products along a path stay far within f32.
-const BRIGHTEST: f32 = 1e6;
 
 /// Greatest exponent of the Phong lobe.
 const SHARPEST: f32 = 1e5;
@@ -96,8 +94,8 @@ impl Draft {
     pub fn read(&mut self, line: &Line, key: &str, rest: &str, folder: &Path, tally: &mut Tally) {
         let place = || line.warning(key, "");
         match key.to_ascii_lowercase().as_str() {
-            "kd" => self.kd = colour(line, key, rest, BRIGHTEST, tally).or(self.kd),
-            "ks" => self.ks = colour(line, key, rest, BRIGHTEST, tally).or(self.ks),
+            "kd" => self.kd = reflectance(line, key, rest, tally).or(self.kd),
+            "ks" => self.ks = reflectance(line, key, rest, tally).or(self.ks),
             "ns" => self.ns = scalar(line, key, rest, 0.0, SHARPEST, tally).or(self.ns),
             "ke" => replace(&mut self.ke, colour(line, key, rest, BRIGHTEST, tally), place),
             "le" => replace(&mut self.le, colour(line, key, rest, BRIGHTEST, tally), place),
@@ -166,12 +164,56 @@ impl Draft {
         self.map.get_or_insert_with(|| line.warning(key, ""));
     }
 
-    /// The material these statements describe, with warnings of what can't be rendered as written.
-    pub fn finish(self, tally: &mut Tally) -> (String, Material) {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// `Tr`, where no `d` says what it means, and its place.
+    pub fn tr_alone(&self) -> Option<(f32, &Diagnostic)> {
+        self.tr.as_ref().filter(|_| self.d.is_none()).map(|(tr, place)| (*tr, place))
+    }
+
+    /// Where `illum` is given.
+    pub fn illum_place(&self) -> Option<&Diagnostic> {
+        self.illum.as_ref().map(|(_, place)| place)
+    }
+
+    /// The material these statements describe.
+    pub fn material(&self, habits: Habits) -> Material {
         let default = Material::default();
-        let bare = self.kd.is_none() && self.ks.is_none() && self.ke.is_none() && self.le.is_none();
-        let glass = matches!(self.illum, Some((4 | 6 | 7 | 9, _)));
-        if bare && !glass && self.maps == TextureMaps::default() {
+        let missing_kd = match &self.maps.kd {
+            // What a map is multiplied by.
+            Some(_) => Vec3::ONE,
+            None if self.is_bare() => default.kd,
+            None => Vec3::ZERO,
+        };
+        let illum = match &self.illum {
+            // A surface with highlights.
+            Some((4 | 6 | 7 | 9, _)) if habits.glass_is_constant => 2,
+            Some((illum, _)) => *illum,
+            None => default.illum,
+        };
+        Material {
+            kd: self.kd.unwrap_or(missing_kd),
+            ks: self.ks.unwrap_or(Vec3::ZERO),
+            ns: self.ns.unwrap_or(default.ns),
+            roughness: self.pr,
+            metallic: self.pm.unwrap_or(default.metallic),
+            emission: self.emission(),
+            one_sided: false,
+            ni: self.ni.unwrap_or(default.ni),
+            dissolve: self.dissolve(habits),
+            tf: self.tf.as_ref().map_or(default.tf, |(tf, _)| *tf),
+            illum,
+            maps: self.maps.clone(),
+        }
+    }
+
+    /// Warns of what can't be rendered as written; `material` is what it came to.
+    pub fn warn_of(&self, material: &Material, habits: Habits, tally: &mut Tally) {
+        let glass = material.passage() == Passage::Glass;
+        if self.is_bare() && !glass && self.maps == TextureMaps::default() {
             self.warn(
                 tally,
                 &self.place,
@@ -179,36 +221,37 @@ impl Draft {
                 "has neither Kd, Ks, Ke nor Le: it is rendered grey",
             );
         }
-        self.warn_of_unrendered(tally);
-        let missing_kd = match &self.maps.kd {
-            // What a map is multiplied by.
-            Some(_) => Vec3::ONE,
-            None if bare => default.kd,
-            None => Vec3::ZERO,
-        };
-        let material = Material {
-            kd: self.kd.unwrap_or(missing_kd),
-            ks: self.ks.unwrap_or(Vec3::ZERO),
-            ns: self.ns.unwrap_or(default.ns),
-            roughness: self.pr,
-            metallic: self.pm.unwrap_or(default.metallic),
-            emission: self.emission(tally),
-            one_sided: false,
-            ni: self.ni.unwrap_or(default.ni),
-            dissolve: self.dissolve(tally),
-            tf: self.tf.as_ref().map_or(default.tf, |(tf, _)| *tf),
-            illum: self.illum.as_ref().map_or(default.illum, |(illum, _)| *illum),
-            maps: self.maps,
-        };
-        (self.name, material)
+        self.warn_of_emission(tally);
+        self.warn_of_dissolve(habits, tally);
+        self.warn_of_unrendered(glass, tally);
+    }
+
+    /// Whether nothing says which light it sends back.
+    fn is_bare(&self) -> bool {
+        self.kd.is_none() && self.ks.is_none() && self.ke.is_none() && self.le.is_none()
+    }
+
+    /// Whether the name says that it is a light, as in the Cornell box family of files.
+    fn is_named_light(&self) -> bool {
+        self.name.ends_with("_light")
+    }
+
+    /// `Ke` and `Le`, 0 where they are not given; the one that counts first.
+    fn glows(&self) -> (Vec3, Vec3) {
+        let glow = |given: &Option<(Vec3, Diagnostic)>| given.as_ref().map_or(Vec3::ZERO, |(colour, _)| *colour);
+        let (ke, le) = (glow(&self.ke), glow(&self.le));
+        if self.is_named_light() { (le, ke) } else { (ke, le) }
     }
 
     /// `Ke` or `Le`: where both glow, `Le` counts in a material named `*_light`, else `Ke`.
-    fn emission(&self, tally: &mut Tally) -> Vec3 {
-        let named_light = self.name.ends_with("_light");
-        let glow = |given: &Option<(Vec3, Diagnostic)>| given.as_ref().map_or(Vec3::ZERO, |(colour, _)| *colour);
-        let (ke, le) = (glow(&self.ke), glow(&self.le));
-        if named_light && ke == Vec3::ZERO && le == Vec3::ZERO {
+    fn emission(&self) -> Vec3 {
+        let (first, second) = self.glows();
+        if first == Vec3::ZERO { second } else { first }
+    }
+
+    fn warn_of_emission(&self, tally: &mut Tally) {
+        let (first, second) = self.glows();
+        if self.is_named_light() && first == Vec3::ZERO && second == Vec3::ZERO {
             self.warn(
                 tally,
                 &self.place,
@@ -216,45 +259,46 @@ impl Draft {
                 "is named a light, but emits nothing: give it `Ke` or `Le`",
             );
         }
-        let (first, second) = if named_light { (le, ke) } else { (ke, le) };
         if first != Vec3::ZERO && second != Vec3::ZERO && first != second {
-            let (used, unused, place) = if named_light { ("Le", "Ke", &self.ke) } else { ("Ke", "Le", &self.le) };
+            let (used, unused, place) =
+                if self.is_named_light() { ("Le", "Ke", &self.ke) } else { ("Ke", "Le", &self.le) };
             if let Some((_, place)) = place {
                 let message = format!("has both `{used}` and `{unused}`: only `{used}` counts");
                 self.warn(tally, place, "emission given twice", &message);
             }
         }
-        if first == Vec3::ZERO { second } else { first }
     }
 
-    /// `d`, else 1 - `Tr`, else opaque.
-    fn dissolve(&self, tally: &mut Tally) -> f32 {
+    /// `d`, else 1 - `Tr`, else opaque. Where `Tr` is opacity, one of 0 was not meant to hide the material.
+    fn dissolve(&self, habits: Habits) -> f32 {
         match (&self.d, &self.tr) {
-            (Some((d, _)), Some((tr, place))) => {
-                if (1.0 - tr - d).abs() > 1e-4 {
-                    let message =
-                        format!("has `Tr {tr}` beside `d {d}`: `d` counts, since exporters write `Tr` both ways round");
-                    self.warn(tally, place, "Tr beside d", &message);
-                }
-                *d
+            (Some((d, _)), _) => *d,
+            (None, Some((tr, _))) if habits.tr_is_opacity && *tr > 0.0 => *tr,
+            (None, Some((tr, _))) if !habits.tr_is_opacity => 1.0 - tr,
+            _ => 1.0,
+        }
+    }
+
+    fn warn_of_dissolve(&self, habits: Habits, tally: &mut Tally) {
+        match (&self.d, &self.tr) {
+            (Some((d, _)), Some((tr, place))) if (1.0 - tr - d).abs() > 1e-4 => {
+                let message =
+                    format!("has `Tr {tr}` beside `d {d}`: `d` counts, since exporters write `Tr` both ways round");
+                self.warn(tally, place, "Tr beside d", &message);
             }
-            (Some((d, _)), None) => *d,
-            (None, Some((tr, place))) => {
-                if *tr > 0.0 {
-                    let message = format!("has `Tr {tr}` and no `d`: it is taken as `d {}`", 1.0 - tr);
-                    self.warn(tally, place, "Tr without d", &message);
-                }
-                1.0 - tr
+            (None, Some((tr, place))) if *tr > 0.0 && !habits.tr_is_opacity => {
+                let message = format!("has `Tr {tr}` and no `d`: it is taken as `d {}`", 1.0 - tr);
+                self.warn(tally, place, "Tr without d", &message);
             }
-            (None, None) => 1.0,
+            _ => {}
         }
     }
 
     /// One warning for each thing that this material asks for and does not get.
-    fn warn_of_unrendered(&self, tally: &mut Tally) {
+    fn warn_of_unrendered(&self, glass: bool, tally: &mut Tally) {
         let lit = |colour: Option<Vec3>| colour.is_some_and(|colour| colour != Vec3::ZERO);
         let warning = match &self.illum {
-            Some((model @ (4 | 6 | 7 | 9), place)) if lit(self.kd) || lit(self.ks) => Some((
+            Some((model, place)) if glass && (lit(self.kd) || lit(self.ks)) => Some((
                 place,
                 format!("is glass (illum {model}), which has no colour of its own: `Kd` and `Ks` are not rendered"),
             )),

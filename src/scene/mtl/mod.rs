@@ -2,28 +2,33 @@
 //!
 //! | statement | becomes |
 //! |---|---|
-//! | `Kd`, `Ks` | diffuse and Phong reflectance; one value is grey, and the `energy` policy of the scene bounds their sum |
+//! | `Kd`, `Ks` | reflectance of both lobes; one value is grey, and the `energy` policy of the scene bounds their sum |
 //! | `Ns` | exponent of the Phong lobe, at most 1e5 |
+//! | `Pr`, `Pm` | roughness and metalness |
 //! | `Ke`, `Le` | emission; `Le` is what the Cornell box family of files writes in materials named `*_light` |
 //! | `d` | opacity; `Tr` counts as 1 - d, and only without `d`: exporters write it both ways round |
-//! | `Ni`, `Tf`, `illum` | kept; `Ni` alone makes no glass |
+//! | `Ni`, `Tf`, `illum` | kept: [`Material::passage`] says what they come to |
 //! | `map_Kd`, `map_Ks`, `map_Ns`, `map_Ke`, `map_d`, `map_Bump`/`bump` | paths, kept |
-//! | `Pr`, `Pm` and other extensions | not honoured |
+//!
+//! What one exporter writes on all its materials is judged once the whole library is read: [`exporter`].
 //!
 //! tobj's own reader panics on `Kd 1` and drops a whole file for one bad line, so this one takes its place.
 
 mod draft;
+mod exporter;
 mod maps;
 mod values;
 
+use std::collections::HashMap;
 use std::io::BufReader;
 use std::path::Path;
 
-use super::diagnostic::{Diagnostics, Severity, Tally};
-use super::lines::{Line, Lines};
+use super::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
+use super::lines::{Line, Lines, unquoted};
 use super::text;
 use crate::components::Material;
 use draft::Draft;
+use exporter::Habits;
 
 /// Bytes that an MTL file may have.
 const LIMIT: u64 = 64 << 20;
@@ -42,7 +47,7 @@ pub fn read_mtl(file: &Path, diagnostics: &mut Diagnostics) -> Option<Vec<(Strin
     materials
 }
 
-/// Reads statement by statement; each `newmtl` finishes the material before it.
+/// Reads statement by statement, then judges what was read.
 fn read_lines(
     file: &Path,
     mut lines: Lines<impl std::io::BufRead>,
@@ -50,8 +55,7 @@ fn read_lines(
 ) -> Option<Vec<(String, Material)>> {
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut line = Line::default();
-    let mut list: Vec<(String, Material)> = Vec::new();
-    let mut draft: Option<Draft> = None;
+    let mut drafts = Drafts::default();
     loop {
         match lines.next(&mut line) {
             Ok(true) => {}
@@ -63,9 +67,8 @@ fn read_lines(
         }
         let Some((key, rest)) = line.statement() else { continue };
         if key.eq_ignore_ascii_case("newmtl") {
-            finish(draft.take(), &mut list, tally);
-            draft = start(&line, key, rest, &list, tally);
-        } else if let Some(draft) = &mut draft {
+            drafts.start(&line, key, unquoted(rest), tally);
+        } else if let Some(draft) = drafts.current() {
             draft.read(&line, key, rest, folder, tally);
         } else {
             tally.push("statements before newmtl", || {
@@ -73,34 +76,60 @@ fn read_lines(
             });
         }
     }
-    finish(draft, &mut list, tally);
-    if list.is_empty() {
+    if let Some(zeros) = lines.zeros() {
+        let message = "zero bytes fill the end of this file: they are left out".to_owned();
+        tally.diagnostics.push(Diagnostic { severity: Severity::Warning, message, ..zeros });
+    }
+    if drafts.list.is_empty() {
         let message = "there is no material in this file";
-        let warning = super::Diagnostic::file(Severity::Warning, file, message);
+        let warning = Diagnostic::file(Severity::Warning, file, message);
         tally.diagnostics.push(warning.help("a material begins with `newmtl NAME`"));
     }
-    Some(list)
+    Some(judge(&drafts.list, tally))
 }
 
-/// Begins a material.
-fn start(line: &Line, key: &str, name: &str, list: &[(String, Material)], tally: &mut Tally) -> Option<Draft> {
-    if name.is_empty() {
-        tally.push("newmtl without a name", || line.warning(key, "`newmtl` without a name: its lines are left out"));
-        return None;
+/// What the drafts of a whole library come to.
+fn judge(drafts: &[Draft], tally: &mut Tally) -> Vec<(String, Material)> {
+    let habits = Habits::of(drafts);
+    let materials: Vec<Material> = drafts.iter().map(|draft| draft.material(habits)).collect();
+    for (draft, material) in drafts.iter().zip(&materials) {
+        draft.warn_of(material, habits, tally);
     }
-    if list.iter().any(|(other, _)| other == name) {
+    habits.warn(drafts, &materials, tally);
+    drafts.iter().map(|draft| draft.name().to_owned()).zip(materials).collect()
+}
+
+/// The materials of a file while it is read: in its order, names unique.
+#[derive(Default)]
+struct Drafts {
+    list: Vec<Draft>,
+    numbers: HashMap<String, usize>,
+    current: Option<usize>,
+}
+
+impl Drafts {
+    /// The material that statements belong to.
+    fn current(&mut self) -> Option<&mut Draft> {
+        self.current.map(|number| &mut self.list[number])
+    }
+
+    /// Begins a material, in the place of one of the same name.
+    fn start(&mut self, line: &Line, key: &str, name: &str, tally: &mut Tally) {
+        if name.is_empty() {
+            self.current = None;
+            tally
+                .push("newmtl without a name", || line.warning(key, "`newmtl` without a name: its lines are left out"));
+            return;
+        }
+        let draft = Draft::new(name, line, key);
+        let number = *self.numbers.entry(name.to_owned()).or_insert(self.list.len());
+        self.current = Some(number);
+        if number == self.list.len() {
+            return self.list.push(draft);
+        }
         tally.push("materials given twice", || {
             line.warning(name, format!("`{name}` is given a second time, and this one counts"))
         });
-    }
-    Some(Draft::new(name, line, key))
-}
-
-/// Adds a finished material, in the place of one of the same name.
-fn finish(draft: Option<Draft>, list: &mut Vec<(String, Material)>, tally: &mut Tally) {
-    let Some((name, material)) = draft.map(|draft| draft.finish(tally)) else { return };
-    match list.iter_mut().find(|(other, _)| *other == name) {
-        Some((_, old)) => *old = material,
-        None => list.push((name, material)),
+        self.list[number] = draft;
     }
 }

@@ -4,9 +4,34 @@ use glam::Vec3;
 
 use crate::scene::diagnostic::Tally;
 use crate::scene::lines::{Line, words};
+use crate::scene::text;
 
 /// What a colour that is left out warns as.
 const LEFT_OUT: &str = "numbers that are left out";
+
+/// Greatest reflectance and emission: their products along a path stay far within f32.
+pub const BRIGHTEST: f32 = 1e6;
+
+/// Reflectances from here to 255 are bytes: nothing reflects so much.
+const BYTES: f32 = 16.0;
+
+/// A reflectance: a colour, with a warning where it looks like bytes. It is taken as written all the same.
+pub fn reflectance(line: &Line, key: &str, rest: &str, tally: &mut Tally) -> Option<Vec3> {
+    let colour = colour(line, key, rest, BRIGHTEST, tally)?;
+    if (BYTES..=255.0).contains(&colour.max_element()) {
+        tally.push("colours in bytes", || {
+            let channels = colour.to_array();
+            let written = channels.map(|c| c.to_string()).join(" ");
+            let meant = channels.map(|c| ((c / 255.0 * 1000.0).round() / 1000.0).to_string()).join(" ");
+            line.warning(
+                key,
+                format!("`{key} {written}` looks like bytes, where 0 to 1 is meant; it is taken as written"),
+            )
+            .help(format!("did you mean `{key} {meant}`?"))
+        });
+    }
+    Some(colour)
+}
 
 /// A colour: three values, or one for grey, each from 0 to `max`. Anything else is a warning, and `None`.
 pub fn colour(line: &Line, key: &str, rest: &str, max: f32, tally: &mut Tally) -> Option<Vec3> {
@@ -60,8 +85,8 @@ pub fn scalar(line: &Line, key: &str, rest: &str, min: f32, max: f32, tally: &mu
 
 /// One finite number; out of range it is moved into it, with a warning.
 fn number(line: &Line, key: &str, word: &str, min: f32, max: f32, tally: &mut Tally) -> Option<f32> {
-    match word.parse::<f64>() {
-        Ok(value) if value.is_finite() => {
+    match text::number(word) {
+        Some(value) if value.is_finite() => {
             let moved = value.clamp(f64::from(min), f64::from(max));
             if moved != value {
                 tally.push("numbers out of range", || {

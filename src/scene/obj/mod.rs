@@ -5,11 +5,11 @@
 //! the first line after a byte order mark and takes NaN for a number. What it is never shown it can't stumble over.
 
 mod faces;
+mod libraries;
 mod parts;
 mod scanner;
 mod statements;
 
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -18,12 +18,14 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
-use super::mtl::read_mtl;
 use super::suggest::known_names;
 use super::text;
 use crate::components::{Material, MeshData};
 use faces::Group;
-use scanner::{Library, Scanner};
+use libraries::Libraries;
+use scanner::{Scanned, Scanner};
+
+pub use statements::is_statement;
 
 /// Bytes that an OBJ file may have.
 const LIMIT: u64 = 4 << 30;
@@ -56,23 +58,19 @@ pub struct Part {
 pub fn read_obj(file: &Path, diagnostics: &mut Diagnostics, files: &mut Vec<PathBuf>) -> Option<Model> {
     files.push(file.to_path_buf());
     let handle = text::open(file, LIMIT).map_err(|error| diagnostics.push(error)).ok()?;
-    let libraries = RefCell::new(Vec::new());
-    let mut scanner = Scanner::new(BufReader::with_capacity(1 << 18, handle), file, &libraries);
-    let mut loaded = Libraries::default();
-    let shared = RefCell::new((&mut loaded, &mut *diagnostics, &mut *files));
+    let mut scanner = Scanner::new(BufReader::with_capacity(1 << 18, handle), file);
     let options =
         tobj::LoadOptions { ignore_points: true, ignore_lines: true, triangulate: false, single_index: false };
-    let models = tobj::load_obj_buf(&mut scanner, &options, |name| {
-        let (loaded, diagnostics, files) = &mut *shared.borrow_mut();
-        Ok(loaded.load(name, file, &libraries.borrow(), diagnostics, files))
-    });
-    let (found, groups) = scanner.finish();
-    let broken = found.has_errors();
-    diagnostics.list.extend(found);
+    // tobj is shown no libraries.
+    let models = tobj::load_obj_buf(&mut scanner, &options, |_| Ok(Default::default()));
+    let Scanned { messages, groups, libraries } = scanner.finish();
+    let libraries = Libraries::read(file, &libraries, &groups, diagnostics, files);
+    let broken = messages.has_errors();
+    diagnostics.list.extend(messages);
     match models {
         Ok((models, _)) if !broken => {
             let (parts, bounds) = parts::collect(models, &groups);
-            Some(loaded.into_model(parts, bounds, &groups, diagnostics))
+            Some(assemble(&libraries, parts, bounds, &groups, diagnostics))
         }
         Ok(_) => None,
         Err(error) => {
@@ -88,80 +86,36 @@ pub fn read_obj(file: &Path, diagnostics: &mut Diagnostics, files: &mut Vec<Path
     }
 }
 
-/// The materials of a model's MTL files.
-#[derive(Default)]
-struct Libraries {
-    materials: BTreeMap<String, Material>,
-    read: BTreeSet<PathBuf>,
-}
-
-impl Libraries {
-    /// Reads one library for tobj, which gets the names alone: `name` is the library's number in the scanner's list.
-    fn load(
-        &mut self,
-        name: &Path,
-        obj: &Path,
-        list: &[Library],
-        diagnostics: &mut Diagnostics,
-        files: &mut Vec<PathBuf>,
-    ) -> (Vec<tobj::Material>, std::collections::HashMap<String, usize>) {
-        let number: usize = name.to_str().and_then(|name| name.parse().ok()).unwrap_or(usize::MAX);
-        let Some(library) = list.get(number) else { return Default::default() };
-        let path = obj.parent().unwrap_or(Path::new("")).join(library.name.replace('\\', "/"));
-        if !self.read.insert(path.clone()) {
-            return Default::default();
+/// Gives each part its material and its name.
+fn assemble(
+    libraries: &Libraries,
+    parts: Vec<(usize, MeshData)>,
+    bounds: (DVec3, DVec3),
+    groups: &[Group],
+    diagnostics: &mut Diagnostics,
+) -> Model {
+    let mut model = Model { parts: Vec::with_capacity(parts.len()), materials: BTreeMap::new(), bounds };
+    let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
+    let mut unknown = BTreeSet::new();
+    for (number, geometry) in parts {
+        let group = &groups[number];
+        let name = group.material.as_ref().map(|(name, _)| name.as_str());
+        let found = name.and_then(|name| libraries.materials.get(name));
+        if let (Some((name, place)), None) = (&group.material, found)
+            // Where a library is missing, that was said already.
+            && libraries.are_known()
+            && unknown.insert(name)
+        {
+            let help = known_names(name, libraries.materials.keys().map(String::as_str));
+            let message = format!("no library has a material `{name}`: it is rendered grey");
+            diagnostics.push(Diagnostic { message, ..place.clone() }.help(help));
         }
-        files.push(path.clone());
-        if !path.is_file() {
-            let message = format!("there is no material library `{}`", path.display());
-            let help = "its materials are rendered grey; the path is relative to the folder of the OBJ file";
-            diagnostics.push(Diagnostic { message, ..library.place.clone() }.help(help));
-            return Default::default();
-        }
-        let materials = read_mtl(&path, diagnostics).unwrap_or_default();
-        let named = |name: &String| tobj::Material { name: name.clone(), ..Default::default() };
-        let list = materials.iter().map(|(name, _)| named(name)).collect();
-        let numbers = materials.iter().enumerate().map(|(i, (name, _))| (name.clone(), i)).collect();
-        for (name, material) in materials {
-            self.materials.entry(name).or_insert(material);
-        }
-        (list, numbers)
+        let key = name.unwrap_or(DEFAULT_MATERIAL);
+        model.materials.entry(key.to_owned()).or_insert_with(|| found.cloned().unwrap_or_default());
+        let count = counts.entry(&group.object).or_insert(0);
+        let name = format!("{}/{count}", group.object);
+        *count += 1;
+        model.parts.push(Part { name, material: key.to_owned(), geometry: Arc::new(geometry) });
     }
-
-    /// Gives each part its material and its name.
-    fn into_model(
-        self,
-        parts: Vec<(usize, MeshData)>,
-        bounds: (DVec3, DVec3),
-        groups: &[Group],
-        diagnostics: &mut Diagnostics,
-    ) -> Model {
-        let mut model = Model { parts: Vec::with_capacity(parts.len()), materials: BTreeMap::new(), bounds };
-        let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
-        let mut unknown = BTreeSet::new();
-        for (number, geometry) in parts {
-            let group = &groups[number];
-            let name = group.material.as_ref().map(|(name, _)| name.as_str());
-            let found = name.and_then(|name| self.materials.get_key_value(name));
-            if let (Some((name, place)), None) = (&group.material, found)
-                // Where a library is missing, that was said already.
-                && (!self.materials.is_empty() || self.read.is_empty())
-                && unknown.insert(name)
-            {
-                let help = known_names(name, self.materials.keys().map(String::as_str));
-                let message = format!("no library has a material `{name}`: it is rendered grey");
-                diagnostics.push(Diagnostic { message, ..place.clone() }.help(help));
-            }
-            let key = name.unwrap_or(DEFAULT_MATERIAL);
-            model
-                .materials
-                .entry(key.to_owned())
-                .or_insert_with(|| found.map_or_else(Material::default, |(_, m)| m.clone()));
-            let count = counts.entry(&group.object).or_insert(0);
-            let name = format!("{}/{count}", group.object);
-            *count += 1;
-            model.parts.push(Part { name, material: key.to_owned(), geometry: Arc::new(geometry) });
-        }
-        model
-    }
+    model
 }

@@ -1,14 +1,14 @@
 //! Reads OBJ text, reports what is wrong in it, and passes on what is right.
 
-use std::cell::RefCell;
 use std::io::{BufRead, Read};
 use std::path::Path;
 
 use super::DEFAULT_MATERIAL;
 use super::faces::{Corner, Group, Grouping};
+use super::libraries::{MAX_LIBRARIES, Statement};
 use super::statements::{Counts, KNOWN, corner, is_beyond_us, numbers, position};
 use crate::scene::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
-use crate::scene::lines::{Line, Lines, words};
+use crate::scene::lines::{Line, Lines, unquoted, words};
 use crate::scene::suggest::did_you_mean;
 
 /// Vertices, normals or texture coordinates that a file may have, and triangles that its faces may come to. No device binds
@@ -24,16 +24,16 @@ const MAX_ERRORS: u32 = 10;
 /// Bytes of plain text made at once.
 const BLOCK: usize = 1 << 16;
 
-/// A material library that the file names.
+/// What a file says beside its geometry.
 #[derive(Debug)]
-pub struct Library {
-    pub name: String,
-    /// A warning about its statement that lacks its message.
-    pub place: Diagnostic,
+pub struct Scanned {
+    pub messages: Diagnostics,
+    pub groups: Vec<Group>,
+    pub libraries: Vec<Statement>,
 }
 
 /// Plain OBJ text for tobj, made from a file as it is read.
-pub struct Scanner<'l, R> {
+pub struct Scanner<'f, R> {
     lines: Lines<R>,
     line: Line,
     tally: Tally,
@@ -43,17 +43,17 @@ pub struct Scanner<'l, R> {
     triangles: u32,
     smoothing: bool,
     errors: u32,
-    libraries: &'l RefCell<Vec<Library>>,
+    libraries: Vec<Statement>,
     out: Vec<u8>,
     /// Bytes of `out` that were read.
     taken: usize,
     ended: bool,
-    file: &'l Path,
+    file: &'f Path,
 }
 
-impl<'l, R: BufRead> Scanner<'l, R> {
-    /// `libraries` gets each library as its statement is met, before tobj asks for it by its number in the list.
-    pub fn new(reader: R, file: &'l Path, libraries: &'l RefCell<Vec<Library>>) -> Self {
+impl<'f, R: BufRead> Scanner<'f, R> {
+    /// `file` is the name in messages.
+    pub fn new(reader: R, file: &'f Path) -> Self {
         Self {
             lines: Lines::new(reader, file),
             line: Line::default(),
@@ -64,7 +64,7 @@ impl<'l, R: BufRead> Scanner<'l, R> {
             triangles: 0,
             smoothing: false,
             errors: 0,
-            libraries,
+            libraries: Vec::new(),
             out: Vec::with_capacity(2 * BLOCK),
             taken: 0,
             ended: false,
@@ -72,14 +72,21 @@ impl<'l, R: BufRead> Scanner<'l, R> {
         }
     }
 
-    /// The messages and the groups, when all was read.
-    pub fn finish(mut self) -> (Diagnostics, Vec<Group>) {
+    /// What there was, when all was read.
+    pub fn finish(mut self) -> Scanned {
+        let zeros = self.lines.zeros();
         if self.triangles == 0 && !self.tally.diagnostics.has_errors() {
             let end = self.lines.number().max(1);
-            let error = Diagnostic::at(Severity::Error, self.file, end, "", 0, "the file ends here without a face");
-            self.tally.diagnostics.push(error.help("a model needs `v` and `f` lines; was it exported whole?"));
+            let error = zeros.unwrap_or_else(|| {
+                Diagnostic::at(Severity::Error, self.file, end, "", 0, "the file ends here without a face")
+                    .help("a model needs `v` and `f` lines; was it exported whole?")
+            });
+            self.tally.diagnostics.push(error);
+        } else if let Some(zeros) = zeros {
+            let message = "zero bytes fill the end of this file: they are left out".to_owned();
+            self.tally.diagnostics.push(Diagnostic { severity: Severity::Warning, message, ..zeros });
         }
-        (self.tally.finish(), self.faces.groups)
+        Scanned { messages: self.tally.finish(), groups: self.faces.groups, libraries: self.libraries }
     }
 
     /// Makes the next block of plain text.
@@ -131,7 +138,7 @@ impl<'l, R: BufRead> Scanner<'l, R> {
             }
             "usemtl" if rest.is_empty() => Err(line.error(key, "`usemtl` without a name")),
             "usemtl" => {
-                self.faces.set_material(rest, line.warning(rest, ""));
+                self.faces.set_material(unquoted(rest), line.warning(rest, ""));
                 Ok(())
             }
             "mtllib" => self.library(line, key, rest),
@@ -255,19 +262,16 @@ impl<'l, R: BufRead> Scanner<'l, R> {
         }
     }
 
-    /// `mtllib NAME`, whose name may have spaces.
+    /// `mtllib` and its names.
     fn library(&mut self, line: &Line, key: &str, rest: &str) -> Result<(), Diagnostic> {
         if rest.is_empty() {
             return Err(line.error(key, "`mtllib` without a file name"));
         }
-        let mut list = self.libraries.borrow_mut();
-        if list.len() < MAX_LIBRARIES {
-            let text = format!("mtllib {}\n", list.len());
-            list.push(Library { name: rest.to_owned(), place: line.warning(rest, "") });
-            self.out.extend_from_slice(text.as_bytes());
-            return Ok(());
+        if self.libraries.len() >= MAX_LIBRARIES {
+            return Err(line.error(key, format!("more than {MAX_LIBRARIES} material libraries")));
         }
-        Err(line.error(key, format!("more than {MAX_LIBRARIES} material libraries")))
+        self.libraries.push(Statement { names: rest.to_owned(), place: line.warning(rest, "") });
+        Ok(())
     }
 
     fn put(&mut self, pieces: &[&str]) {
@@ -276,9 +280,6 @@ impl<'l, R: BufRead> Scanner<'l, R> {
         }
     }
 }
-
-/// Material libraries that a file may name.
-const MAX_LIBRARIES: usize = 1024;
 
 /// Counts one more vertex, normal or texture coordinate.
 fn count(counter: &mut u32, line: &Line, key: &str) -> Result<(), Diagnostic> {

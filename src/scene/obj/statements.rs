@@ -3,9 +3,15 @@
 use crate::scene::diagnostic::Diagnostic;
 use crate::scene::lines::{Line, words};
 use crate::scene::load::FARTHEST;
+use crate::scene::text;
 
 /// Statements that OBJ files have, for suggestions.
 pub const KNOWN: &[&str] = &["v", "vt", "vn", "f", "o", "g", "s", "usemtl", "mtllib", "l", "p"];
+
+/// Whether OBJ files have such a statement.
+pub fn is_statement(key: &str) -> bool {
+    KNOWN.contains(&key) || key == "fo" || is_beyond_us(key)
+}
 
 /// Whether a statement belongs to OBJ files, but to a part of them that makes no surface we render: free-form curves
 /// and surfaces, and hints to old renderers.
@@ -56,17 +62,17 @@ pub fn position<'l>(line: &Line, key: &str, rest: &'l str) -> Result<([&'l str; 
         let Some(word) = list.next() else {
             return Err(line.error(key, format!("a vertex has three coordinates, this one has {found}")));
         };
-        match word.parse::<f64>() {
-            Ok(value) if value.abs() <= FARTHEST => *coordinate = word,
-            Ok(value) if value.is_nan() => return Err(line.error(word, "a vertex can't be at NaN").help(REPAIR)),
-            Ok(value) if value.is_infinite() => {
+        match text::number(word) {
+            Some(value) if value.abs() <= FARTHEST => *coordinate = word,
+            Some(value) if value.is_nan() => return Err(line.error(word, "a vertex can't be at NaN").help(REPAIR)),
+            Some(value) if value.is_infinite() => {
                 return Err(line.error(word, "a vertex can't be at infinity").help(REPAIR));
             }
-            Ok(_) => {
+            Some(_) => {
                 let message = format!("this coordinate is beyond {FARTHEST:e}");
                 return Err(line.error(word, message).help("scale the model down"));
             }
-            Err(_) => return Err(line.error(word, format!("`{word}` is not a number"))),
+            None => return Err(line.error(word, format!("`{word}` is not a number"))),
         }
     }
     Ok((coordinates, list.next().is_some()))
@@ -84,7 +90,7 @@ pub fn numbers<const N: usize>(
     let mut values = [Some(0.0); N];
     let mut found = 0;
     for (value, word) in values.iter_mut().zip(words(rest)) {
-        let number: f64 = word.parse().map_err(|_| line.error(word, format!("`{word}` is not a number")))?;
+        let number = text::number(word).ok_or_else(|| line.error(word, format!("`{word}` is not a number")))?;
         *value = (number as f32).is_finite().then_some(number);
         found += 1;
     }

@@ -2,7 +2,7 @@
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{Energy, Material, Name, Render};
+use crate::components::{Energy, Material, Name, Passage, Render, Specular};
 use crate::layout::trace::{EnergyRule, MaterialRecord, Reflector};
 use crate::systems::state::{Dirty, PackedScene, Pending};
 
@@ -59,8 +59,8 @@ fn pack(material: &Material, rule: EnergyRule) -> MaterialRecord {
         ns: material.ns,
         roughness: material.roughness,
         metallic: material.metallic,
-        mirror: matches!(material.illum, 3 | 5 | 8),
-        dielectric: matches!(material.illum, 4 | 6 | 7 | 9),
+        mirror: material.specular() == Specular::Mirror,
+        dielectric: material.passage() == Passage::Glass,
         ni: material.ni,
         tf: material.tf,
         opacity: material.dissolve,

@@ -61,7 +61,9 @@ fn sliders(ui: &mut Ui, material: &mut Material) {
         number(ui, "d", Slider::new(&mut material.dissolve, 0.0..=1.0));
         colour(ui, "Tf", &mut material.tf);
         ui.label("illum");
-        ui.add(DragValue::new(&mut material.illum).range(0..=10));
+        let look = material.appearance();
+        ui.add(DragValue::new(&mut material.illum).range(0..=10))
+            .on_hover_text(format!("{}: {}", look.kind, look.reason));
         ui.end_row();
     });
 }
