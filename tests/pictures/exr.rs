@@ -39,6 +39,16 @@ fn write(path: &Path, kind: SampleType, encoding: Encoding, place: IVec2, (origi
     image.write().to_file(path).unwrap();
 }
 
+/// The pixels as the library's own reader of images has them.
+fn by_library(path: &Path) -> Vec<[f32; 3]> {
+    let image = read_first_rgba_layer_from_file(
+        path,
+        |size, _| (size.width(), vec![[0.0; 3]; size.area()]),
+        |(width, pixels), at, (r, g, b, _): (f32, f32, f32, f32)| pixels[at.y() * *width + at.x()] = [r, g, b],
+    );
+    image.unwrap().layer_data.channel_data.pixels.1
+}
+
 fn encoding(compression: Compression, blocks: Blocks, line_order: LineOrder) -> Encoding {
     Encoding { compression, blocks, line_order }
 }
@@ -53,10 +63,10 @@ fn every_number_compression_and_kind_of_block_is_read() {
         (Compression::ZIP1, 0.0),
         (Compression::ZIP16, 0.0),
         (Compression::PIZ, 0.0),
-        // 24 bits of a float; halves in 6 bits of the range of their block: in the bits of 0 to 51, a step is a third of a power of two.
+        // 24 bits of a float.
         (Compression::PXR24, 1e-4),
-        (Compression::B44, 0.35),
-        (Compression::B44A, 0.35),
+        (Compression::B44, 0.0),
+        (Compression::B44A, 0.0),
     ];
     let blocks = [
         (Blocks::ScanLines, LineOrder::Increasing),
@@ -70,7 +80,10 @@ fn every_number_compression_and_kind_of_block_is_read() {
                 write(&path, kind, encoding(compression, blocks, order), IVec2::ZERO, (IVec2::ZERO, SIZE));
                 let found = shown(&path);
                 assert!(found.size == SIZE && found.notes.is_empty() && found.warnings.is_empty(), "{found:?}");
-                for (found, right) in found.pixels.iter().flatten().zip(picture(SIZE).iter().flatten()) {
+                // B44 loses much of halves as unlike as these: what is left is for the library to say.
+                let lossy = matches!(compression, Compression::B44 | Compression::B44A) && kind == SampleType::F16;
+                let right = if lossy { by_library(&path) } else { picture(SIZE) };
+                for (found, right) in found.pixels.iter().flatten().zip(right.iter().flatten()) {
                     let right = if kind == SampleType::U32 { right.trunc() } else { *right };
                     assert!(
                         (found - right).abs() <= tolerance * (right + 1.0),
