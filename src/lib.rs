@@ -9,6 +9,7 @@ pub mod app;
 pub mod components;
 pub mod cpu;
 pub mod gpu;
+pub mod image;
 pub mod passes;
 pub mod scene;
 pub mod shader;

@@ -1,9 +1,10 @@
 //! The film as a picture, against its twin.
 
 use glam::{UVec2, Vec3};
-use lucerna::cpu::display::{display, srgb_encode};
+use lucerna::cpu::display::display;
 use lucerna::cpu::film::fixed_point;
 use lucerna::gpu::Runtime;
+use lucerna::image::srgb::srgb_encode;
 use lucerna::layout::film::{FilmHalf, FilmPixel};
 use lucerna::passes::Recording;
 use lucerna::passes::film;

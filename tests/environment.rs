@@ -108,3 +108,66 @@ fn a_sky_of_any_strength_has_no_bad_samples() {
     let folder = folder("1e-6", &[(1e-33, 0.0, 0.0), (0.0, 1e-34, 0.0)]);
     rendered(&load(folder.path()), Integrator::Path);
 }
+
+/// The picture of a scene whose sky is a file of this content, and the warnings.
+fn sky_of(name: &str, content: &[u8]) -> (Vec<[f32; 3]>, Vec<String>) {
+    let folder = folder("1", &[]);
+    let text = std::fs::read_to_string(folder.path().join("a.ron")).unwrap().replace("sky.exr", name);
+    std::fs::write(folder.path().join("a.ron"), text).unwrap();
+    std::fs::write(folder.path().join(name), content).unwrap();
+    let loaded = load(folder.path());
+    let Some(Environment::Map { image, .. }) = &loaded.description.environment else { panic!("no picture") };
+    let pixels = image.pixels.iter().map(Vec3::to_array).collect();
+    (pixels, loaded.warnings.iter().map(ToString::to_string).collect())
+}
+
+#[test]
+fn skies_are_read_like_any_picture() {
+    let hdr =
+        |lines: &str| [format!("#?RGBE\n{lines}\n-Y 1 +X 2\n").as_bytes(), &[128, 64, 32, 129, 0, 0, 0, 0]].concat();
+    assert_eq!(sky_of("sky.hdr", &hdr("")), (vec![[1.0, 0.5, 0.25], [0.0; 3]], Vec::new()));
+    assert_eq!(sky_of("sky.pic", &hdr("EXPOSURE=4\n")).0[0], [0.25, 0.125, 0.0625]);
+    let (_, warnings) = sky_of("sky.hdr", &hdr("GAMMA=2\n"));
+    assert!(
+        warnings.len() == 1 && warnings[0].contains("a.ron:5:28: warning: `") && warnings[0].contains("GAMMA"),
+        "{warnings:?}"
+    );
+    // A file of which this is a part of the picture: a bright texel at its place, black around it.
+    let path = tempfile::tempdir().unwrap().path().join("part.exr");
+    std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+    let channels = exr::prelude::SpecificChannels::rgb(|_: exr::math::Vec2<usize>| (900.0f32, 800.0f32, 700.0f32));
+    let attributes = exr::meta::header::LayerAttributes {
+        layer_position: exr::math::Vec2(2, 1),
+        ..exr::meta::header::LayerAttributes::default()
+    };
+    let layer = exr::image::Layer::new((1, 1), attributes, exr::image::Encoding::UNCOMPRESSED, channels);
+    let mut image = exr::image::Image::from_layer(layer);
+    image.attributes.display_window = exr::meta::attribute::IntegerBounds::from_dimensions((4, 2));
+    exr::image::write::WritableImage::write(&image).to_file(&path).unwrap();
+    let (pixels, warnings) = sky_of("sky.exr", &std::fs::read(&path).unwrap());
+    assert!(pixels.len() == 8 && pixels[6] == [900.0, 800.0, 700.0], "{pixels:?}");
+    assert!(warnings.len() == 1 && warnings[0].contains("the rest is black"), "{warnings:?}");
+}
+
+#[test]
+fn a_sky_that_can_not_be_read_is_told_at_its_line() {
+    for (name, content, word) in [
+        ("sky.exr", &b"\x76\x2f\x31\x01\x02\0\0\0"[..], "cut short"),
+        ("sky.hdr", b"#?RADIANCE\n\n-Y 1 +X 2\n", "cut short"),
+        ("sky.hdr", b"#?RADIANCE\n\n-Y 1 +X 99999\n", "99999x1"),
+        ("sky.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 2\n", "xyze"),
+        ("sky.png", b"\x89PNG", "cut short"),
+        ("sky.jpg", b"\xff\xd8\xff", "no picture"),
+        ("sky.png", b"", "empty"),
+    ] {
+        let folder = folder("1", &[]);
+        let text = std::fs::read_to_string(folder.path().join("a.ron")).unwrap().replace("sky.exr", name);
+        std::fs::write(folder.path().join("a.ron"), text).unwrap();
+        std::fs::write(folder.path().join(name), content).unwrap();
+        let errors = scene::load(&folder.path().join("a.ron"), &[]).unwrap_err();
+        let [error] = &errors.list[..] else { panic!("{errors}") };
+        let text = error.to_string();
+        assert!(text.contains("a.ron:5:28: error:") && text.contains(name) && text.contains(word), "{text}");
+        assert!(error.help.as_ref().is_some_and(|help| !help.contains("triangles")), "{text}");
+    }
+}

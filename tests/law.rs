@@ -62,14 +62,15 @@ fn wgpu_and_naga_stay_where_they_belong() {
 
 #[test]
 fn modules_know_only_what_is_below_them() {
-    let modules = ["app", "components", "cpu", "gpu", "layout", "passes", "scene", "shader", "systems"];
-    let below: [(&str, &[&str]); 8] = [
+    let modules = ["app", "components", "cpu", "gpu", "image", "layout", "passes", "scene", "shader", "systems"];
+    let below: [(&str, &[&str]); 9] = [
         ("components", &[]),
+        ("image", &["components"]),
         ("layout", &[]),
-        ("scene", &["components"]),
+        ("scene", &["components", "image"]),
         ("shader", &["layout"]),
         ("passes", &["layout"]),
-        ("cpu", &["components", "layout"]),
+        ("cpu", &["components", "image", "layout"]),
         ("gpu", &["layout", "shader", "passes"]),
         ("systems", &["components", "cpu", "gpu", "layout", "passes", "scene", "shader"]),
     ];

@@ -28,6 +28,7 @@ mod obj;
 mod oracle;
 mod passes;
 mod path;
+mod pictures;
 mod player;
 mod reload;
 mod rooms;

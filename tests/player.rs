@@ -92,3 +92,37 @@ fn what_does_not_fit_or_is_not_there_is_named() {
     let error = rig.play(&recording).unwrap_err();
     assert!(matches!(error, GpuError::NoBuffer { pass: "clear", buffer: "nowhere" }), "{error}");
 }
+
+/// What to do is about that which the array grows with, and says how much of it fits.
+#[test]
+fn an_array_that_is_too_large_says_what_to_make_smaller() {
+    use miette::Diagnostic;
+    let mut rig = support::rig();
+    let limits = &rig.gpu().limits;
+    let limit = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+    for (name, word, bytes) in [
+        ("sky", "smaller picture of the environment", 16),
+        ("sky_columns", "smaller picture of the environment", 8),
+        ("film", "smaller film", size_of::<lucerna::layout::film::FilmPixel>() as u64),
+        ("picture", "smaller film", 4),
+        ("triangles", "fewer triangles", size_of::<lucerna::layout::tree::Triangle>() as u64),
+        ("shading", "fewer triangles", size_of::<lucerna::layout::trace::Shading>() as u64),
+        ("keys_back", "fewer triangles", 8),
+        ("lights", "triangles that emit", size_of::<lucerna::layout::light::LightRecord>() as u64),
+        ("materials", "fewer materials", size_of::<lucerna::layout::trace::MaterialRecord>() as u64),
+        ("sort_counts", "smaller scene or film", 0),
+    ] {
+        let error = rig.reserve(name, limit + 1).unwrap_err();
+        let help = error.help().unwrap().to_string();
+        assert!(error.to_string().contains(name) && help.contains(word), "{name}: {help}");
+        assert_eq!(help.starts_with("use fewer triangles:"), word == "fewer triangles", "{name}: {help}");
+        let most = limit.checked_div(bytes).unwrap_or(0);
+        if word.contains("environment") {
+            let sides: Vec<u64> = help.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok()).collect();
+            let [width, height] = sides[..] else { panic!("{help}") };
+            assert!(width == 2 * height && width * height <= most && (width + 2) * (height + 1) > most, "{help}");
+        } else if bytes > 0 {
+            assert!(help.contains(&most.to_string()), "{name}: {help} has no {most}");
+        }
+    }
+}

@@ -3,7 +3,7 @@
 use exr::prelude::{ReadChannels, ReadLayers, read};
 use glam::UVec2;
 use lucerna::components::Crop;
-use lucerna::systems::save::{Kind, Output, Picture, SaveError};
+use lucerna::image::{Kind, Output, Outputs, Picture, SaveError};
 
 /// 3x2 pixels of a 5x4 picture.
 struct Sample {
@@ -115,7 +115,7 @@ fn an_older_file_is_replaced_and_a_refusal_leaves_nothing() {
     std::fs::create_dir(folder.path().join("c.png")).unwrap();
     let folder_as_file = Output::new(folder.path().join("c.png")).unwrap();
     assert!(matches!(folder_as_file.prepare(), Err(SaveError::IsFolder(_))));
-    assert!(matches!(folder_as_file.write(&Sample::new().picture()), Err(SaveError::Write { .. })));
+    assert!(matches!(folder_as_file.write(&Sample::new().picture()), Err(SaveError::IsFolder(_))));
     assert_eq!(names(folder.path()), ["a.json", "c.png"]);
 }
 
@@ -138,4 +138,146 @@ fn a_written_file_has_the_permissions_of_any_new_file() {
     Output::new(folder.path().join("a.json")).unwrap().write(&Sample::new().picture()).unwrap();
     std::fs::write(folder.path().join("plain"), "").unwrap();
     assert_eq!(mode("a.json"), mode("plain"));
+}
+
+#[cfg(unix)]
+mod links {
+    use std::os::unix::fs::symlink;
+    use std::path::Path;
+
+    use super::*;
+
+    fn is_link(path: &Path) -> bool {
+        std::fs::symlink_metadata(path).unwrap().is_symlink()
+    }
+
+    /// Writes through a link; all that must then hold but where the file is.
+    fn written(link: &Path) -> Vec<u8> {
+        let output = Output::new(link).unwrap();
+        output.prepare().unwrap();
+        output.write(&Sample::new().picture()).unwrap();
+        assert!(is_link(link), "{} is no link any more", link.display());
+        std::fs::read(link).unwrap()
+    }
+
+    #[test]
+    fn a_link_stays_a_link_and_what_it_leads_to_is_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        for name in ["files", "links", "links/deep"] {
+            std::fs::create_dir(at(name)).unwrap();
+        }
+        std::fs::write(at("files/there.png"), "old").unwrap();
+        // Absolute and relative, to a file and to none, through a folder that is a link, and through other links.
+        symlink(at("files/there.png"), at("links/absolute.png")).unwrap();
+        symlink("../files/new.exr", at("links/dangling.exr")).unwrap();
+        symlink("../files/far/away/new.json", at("links/far.json")).unwrap();
+        symlink("../files", at("links/folder")).unwrap();
+        symlink("folder/../files/through.png", at("links/through.png")).unwrap();
+        symlink("../through.png", at("links/deep/1.png")).unwrap();
+        symlink("1.png", at("links/deep/2.png")).unwrap();
+        symlink(at("links/deep/2.png"), at("3.png")).unwrap();
+        for (link, file) in [
+            ("links/absolute.png", "files/there.png"),
+            ("links/dangling.exr", "files/new.exr"),
+            ("links/far.json", "files/far/away/new.json"),
+            ("links/through.png", "files/through.png"),
+            ("3.png", "files/through.png"),
+        ] {
+            let bytes = written(&at(link));
+            assert!(!is_link(&at(file)) && bytes == std::fs::read(at(file)).unwrap() && bytes.len() > 10, "{link}");
+        }
+        for link in ["links/deep/1.png", "links/deep/2.png", "links/through.png"] {
+            assert!(is_link(&at(link)), "{link}");
+        }
+        assert_eq!(names(&at("files")), ["far", "new.exr", "there.png", "through.png"]);
+        assert_eq!(names(&at("links/deep")), ["1.png", "2.png"], "no other file is left");
+        // A file in a folder that is a link.
+        Output::new(at("links/folder/plain.png")).unwrap().write(&Sample::new().picture()).unwrap();
+        assert!(at("files/plain.png").is_file() && is_link(&at("links/folder")));
+    }
+
+    #[test]
+    fn links_without_an_end_and_to_folders_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        symlink("self.png", at("self.png")).unwrap();
+        symlink("b.png", at("a.png")).unwrap();
+        symlink("a.png", at("b.png")).unwrap();
+        symlink(folder.path(), at("folder.png")).unwrap();
+        symlink("folder.png", at("again.png")).unwrap();
+        symlink("/dev/null", at("device.png")).unwrap();
+        let before = names(folder.path());
+        for (name, word) in [
+            ("self.png", "leads to no end"),
+            ("a.png", "leads to no end"),
+            ("folder.png", "is a folder"),
+            ("again.png", "is a folder"),
+            ("device.png", "device"),
+            ("self.png/x.png", "can't make the folder"),
+        ] {
+            let output = Output::new(at(name)).unwrap();
+            for result in [output.prepare(), output.write(&Sample::new().picture())] {
+                let text = result.unwrap_err().to_string();
+                assert!(text.contains(word) && text.contains(name.split('/').next().unwrap()), "{text}");
+            }
+        }
+        assert_eq!(names(folder.path()), before);
+        assert!(is_link(&at("device.png")) && !Path::new("/dev/null").is_file());
+    }
+
+    #[test]
+    fn a_file_of_several_names_is_written_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir(at("deep")).unwrap();
+        symlink("a.png", at("link.png")).unwrap();
+        symlink("a.png", at("link.exr")).unwrap();
+        let outputs =
+            ["a.png", "./a.png", "deep/../a.png", "link.png", "b.exr"].map(|name| Output::new(at(name)).unwrap());
+        let (prepared, failures) = Outputs::prepare(&outputs);
+        assert!(failures.is_empty(), "{failures:?}");
+        assert_eq!(prepared.names(), [&outputs[0], &outputs[4]].map(|output| output.path.display().to_string()));
+        // Two kinds of file can't be one file.
+        let outputs = ["a.png", "link.exr"].map(|name| Output::new(at(name)).unwrap());
+        let (prepared, failures) = Outputs::prepare(&outputs);
+        assert_eq!(prepared.names().len(), 1);
+        assert!(matches!(&failures[..], [SaveError::Same(..)]), "{failures:?}");
+    }
+}
+
+#[test]
+fn one_file_that_fails_keeps_no_other_from_being_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let all = ["a.png", "a.exr", "a.json", "b.json", "b.png"].map(|name| Output::new(at(name)).unwrap());
+    for broken in 0..all.len() {
+        let (mut outputs, failures) = Outputs::prepare(&all);
+        assert!(failures.is_empty());
+        // Something comes in the way while it renders.
+        std::fs::create_dir(&all[broken].path).unwrap();
+        let sample = Sample::new();
+        let report = |names: &[String]| serde_json::json!({ "outputs": names });
+        let failures = outputs.write(&sample.picture(), report);
+        let name = all[broken].path.display().to_string();
+        assert!(failures.len() == 1 && failures[0].to_string().contains(&name), "{failures:?}");
+        assert_eq!(outputs.names().len(), 4);
+        for output in all.iter().filter(|output| output.path != all[broken].path) {
+            assert!(output.path.is_file(), "{} is missing", output.path.display());
+            std::fs::remove_file(&output.path).unwrap();
+        }
+        std::fs::remove_dir(&all[broken].path).unwrap();
+        assert!(names(folder.path()).is_empty());
+    }
+}
+
+#[test]
+fn a_report_names_the_files_that_were_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let (mut outputs, _) = Outputs::prepare(&["a.json", "a.png", "a.exr"].map(|name| Output::new(at(name)).unwrap()));
+    std::fs::create_dir(at("a.png")).unwrap();
+    outputs.write(&Sample::new().picture(), |names| serde_json::json!(names));
+    let report: Vec<String> = serde_json::from_slice(&std::fs::read(at("a.json")).unwrap()).unwrap();
+    assert_eq!(report, ["a.json", "a.exr"].map(|name| at(name).display().to_string()));
 }

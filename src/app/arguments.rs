@@ -12,7 +12,7 @@ use super::scene::SceneFlags;
 use super::{Exit, Failure, bench};
 use crate::components::{Crop, Film, Integrator, Sampler};
 use crate::gpu::Gpu;
-use crate::systems::save::Output;
+use crate::image::Output;
 
 /// What ends every help text.
 pub const EXIT_CODES: &str = "\

@@ -4,12 +4,11 @@ use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 use super::bench::BenchError;
-use super::compare::ReadError;
 use crate::gpu::GpuError;
+use crate::image::{ReadError, SaveError};
 use crate::scene::{Diagnostic, Diagnostics};
 use crate::shader::ShaderError;
 use crate::systems::EngineError;
-use crate::systems::save::SaveError;
 
 /// What the process ends with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,15 +5,16 @@ use std::time::{Duration, Instant};
 
 use super::arguments::RenderArguments;
 use super::compiling::watch_compiling;
+use super::failure::show;
 use super::interrupt::Interrupt;
 use super::progress::{Goal, Meter};
 use super::report::{Account, Seconds};
 use super::scene::Opened;
 use super::{Exit, Failure, output};
 use crate::gpu::Gpu;
+use crate::image::{Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
 use crate::systems::Engine;
-use crate::systems::save::{Output, Picture, SaveError};
 
 /// Tracing between two looks at the clock and at signals.
 const STEP: Duration = Duration::from_millis(100);
@@ -35,10 +36,7 @@ pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Fai
         description.render.spp = u32::MAX;
     }
     let library = arguments.flags.library()?;
-    let outputs = outputs(arguments, &path)?;
-    for output in &outputs {
-        output.prepare()?;
-    }
+    let (mut outputs, prepared) = output::prepare(&outputs(arguments, &path)?)?;
     let load = begin.elapsed();
 
     let begin = Instant::now();
@@ -68,25 +66,28 @@ pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Fai
         seconds,
         interrupted,
     };
-    save_and_tell(&account, &outputs)?;
-    Ok(if interrupted { Exit::Interrupted } else { Exit::Done })
+    let saved = save_and_tell(&account, &mut outputs)?;
+    Ok(match (saved && prepared, interrupted) {
+        (false, _) => Exit::Failed,
+        (true, true) => Exit::Interrupted,
+        (true, false) => Exit::Done,
+    })
 }
 
-/// Writes the files, then says so.
-fn save_and_tell(account: &Account, outputs: &[Output]) -> Result<(), Failure> {
-    let names: Vec<String> = outputs.iter().map(|output| output.path.display().to_string()).collect();
-    let (metadata, json) = (account.metadata(), account.json(&names));
+/// Writes the files, then says so; whether all were written.
+fn save_and_tell(account: &Account, outputs: &mut Outputs) -> Result<bool, Failure> {
+    let metadata = account.metadata();
     let picture = Picture {
         size: account.film.size,
         window: account.film.window,
         linear: &account.film.rgb,
         display: &account.film.picture,
         metadata: &metadata,
-        report: &json,
+        report: &serde_json::Value::Null,
     };
-    for output in outputs {
-        output.write(&picture)?;
-    }
+    let failures = outputs.write(&picture, |names| account.json(names));
+    failures.iter().for_each(|failure| show(failure));
+    let names = outputs.names();
     let arguments = account.arguments;
     if account.report.bad_samples > 0 && !arguments.quiet {
         output::note(&format!(
@@ -98,9 +99,10 @@ fn save_and_tell(account: &Account, outputs: &[Output]) -> Result<(), Failure> {
         output::note(&format!("interrupted at {} of {} spp", account.film.spp, account.description.render.spp));
     }
     match arguments.json {
-        true => output::print(&format!("{json}\n")),
-        false => output::print(&account.text(&names, arguments.stats)),
+        true => output::print(&format!("{}\n", account.json(&names)))?,
+        false => output::print(&account.text(&names, arguments.stats))?,
     }
+    Ok(failures.is_empty())
 }
 
 /// Steps until the film is finished, the time is up, or a signal comes.

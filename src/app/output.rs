@@ -1,9 +1,10 @@
-//! Results go to stdout, and a reader that has gone is no error.
+//! Results go to stdout, and a reader that has gone is no error; pictures go to files.
 
 use std::io::{ErrorKind, Write};
-use std::path::Path;
 
 use super::Failure;
+use super::failure::show;
+use crate::image::{Output, Outputs};
 
 /// stdout could not be written, for another reason than that nobody reads it.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -29,17 +30,14 @@ pub fn note(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{text}");
 }
 
-/// Writes a file whole, under a temporary name beside its place that is then renamed, and makes the folders it lacks.
-pub fn write_file(path: &Path, text: &str) -> std::io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder)?;
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".lucerna-").suffix(".part");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
-    file.as_file().sync_data()?;
-    file.persist(path).map_err(|failed| failed.error)?;
-    Ok(())
+/// Tries the places of files that are to be written, and tells of those where none can be. Says whether all can; fails if none
+/// can.
+pub fn prepare(outputs: &[Output]) -> Result<(Outputs, bool), Failure> {
+    let (outputs, mut failures) = Outputs::prepare(outputs);
+    let last = if outputs.is_empty() { failures.pop() } else { None };
+    failures.iter().for_each(|failure| show(failure));
+    match last {
+        Some(failure) => Err(failure.into()),
+        None => Ok((outputs, failures.is_empty())),
+    }
 }

@@ -2,11 +2,11 @@
 
 use glam::{DVec3, UVec2, Vec3};
 
-use super::display::srgb_byte;
 use super::intersect::{Fma, triangle_normal};
 use super::path::smooth_normal;
 use super::traverse::closest_hit;
 use super::tree::Tree;
+use crate::image::srgb::srgb_byte;
 use crate::layout::ray::{Hit, NO_HIT, Ray, T_FAR};
 use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
 use crate::layout::tree::Triangle;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Gpu, GpuError};
+use super::{Gpu, GpuError, room};
 use crate::layout::trace::MaterialRecord;
 
 /// The storage buffers that passes name. A buffer grows when more is asked of it, and then loses what it held.
@@ -56,6 +56,10 @@ impl Buffers {
                     | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             })
+        });
+        let buffer = buffer.map_err(|error| match error {
+            GpuError::OutOfMemory { what, .. } => GpuError::OutOfMemory { what, smaller: room::smaller(name) },
+            other => other,
         })?;
         self.named.insert(name, Slot { buffer, bytes, size, generation });
         Ok(true)

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
-use super::GpuError;
+use super::{GpuError, room};
 
 /// The environment variable that picks an adapter by its number in `lucerna doctor`.
 const ADAPTER_VARIABLE: &str = "LUCERNA_ADAPTER";
@@ -204,7 +204,7 @@ impl Gpu {
             }
         }
         match pollster::block_on(memory.pop()) {
-            Some(_) => Err(GpuError::OutOfMemory { what: what.to_owned() }),
+            Some(_) => Err(GpuError::OutOfMemory { what: what.to_owned(), smaller: room::smaller(what) }),
             None => Ok(value),
         }
     }

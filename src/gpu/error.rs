@@ -1,5 +1,6 @@
 //! What can go wrong on a device, and what to do about it.
 
+use super::room::advice;
 use crate::shader::ShaderError;
 
 /// A failure of the device or of what was asked of it.
@@ -33,12 +34,12 @@ pub enum GpuError {
     Device { adapter: String, reason: String },
 
     #[error("the buffer `{name}` needs {need} bytes, more than {limit} bytes, the limit of {adapter} for {what}")]
-    #[diagnostic(help("use fewer triangles or a smaller film, or an adapter with larger buffers (`lucerna doctor`)"))]
+    #[diagnostic(help("{}", advice(name, *limit)))]
     TooLarge { name: &'static str, need: u64, limit: u64, adapter: String, what: &'static str },
 
     #[error("the device ran out of memory on {what}")]
-    #[diagnostic(help("use fewer triangles or a smaller film, or close what else uses the GPU"))]
-    OutOfMemory { what: String },
+    #[diagnostic(help("{smaller}, or close what else uses the GPU"))]
+    OutOfMemory { what: String, smaller: &'static str },
 
     #[error("the device was lost: {reason}")]
     #[diagnostic(help(

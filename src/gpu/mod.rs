@@ -7,6 +7,7 @@ mod error;
 mod picture;
 mod pipelines;
 mod player;
+mod room;
 mod runtime;
 mod surface;
 mod timing;

@@ -11,8 +11,8 @@ use super::file::{DEFAULT_CAMERA, EnvironmentEntry, MaterialEntry, ModelEntry, S
 use super::kind::Kind;
 use super::locate::{as_written, file_names};
 use super::obj::{Model, read_obj};
-use super::picture::read_picture;
 use super::ron::{Reader, apply_defines, define_texts, parse};
+use super::sky::read_sky;
 use super::suggest::{did_you_mean, known_names};
 use super::text::Text;
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
@@ -185,26 +185,8 @@ impl Loader {
             EnvironmentEntry::Map { path, strength, place } => (folder.join(path.replace('\\', "/")), strength, place),
         };
         self.files.push(path.clone());
-        match read_picture(&path) {
-            Ok(picture) => {
-                if picture.mended > 0 {
-                    let pixels = if picture.mended == 1 { "pixel" } else { "pixels" };
-                    let message = format!(
-                        "{} {pixels} of `{}` with a channel that is negative, no number or above 1e6: it is taken as 0, or as 1e6",
-                        picture.mended,
-                        path.display()
-                    );
-                    self.diagnostics.push(Diagnostic { message, severity: Severity::Warning, ..*place });
-                }
-                Some(Environment::Map { image: Arc::new(picture.map), strength })
-            }
-            Err(why) => {
-                let message = format!("can't use `{}` as an environment: {why}", path.display());
-                let help = "it is an EXR, HDR or PNG file by longitude and latitude; its path is relative to the folder of the scene file";
-                self.diagnostics.push(Diagnostic { message, ..*place }.help(help));
-                None
-            }
-        }
+        let image = Arc::new(read_sky(&path, &place, &mut self.diagnostics)?);
+        Some(Environment::Map { image, strength })
     }
 
     /// Adds the meshes and materials of one model under a name of its own, which it returns.

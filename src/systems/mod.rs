@@ -15,7 +15,6 @@ pub mod lint;
 pub mod present;
 pub mod reload;
 mod report;
-pub mod save;
 pub mod state;
 mod submit;
 mod trace;

@@ -15,11 +15,11 @@ use serde::Serialize;
 use super::output;
 use crate::cpu::oracle::OracleError;
 use crate::gpu::{GpuError, Runtime};
+use crate::image::SaveError;
 use crate::layout::tree::Triangle;
 use crate::passes::Recording;
 use crate::scene::generate;
 use crate::systems::EngineError;
-use crate::systems::save::SaveError;
 
 /// Runs before the first that counts: GPUs clock up only under load.
 const WARM_UP: u32 = 5;

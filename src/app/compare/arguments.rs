@@ -6,10 +6,10 @@ use clap::{Args, ValueEnum};
 
 use crate::app::arguments::{EXIT_CODES, crop, stops};
 use crate::components::Crop;
-use crate::systems::save::{Kind, Output};
+use crate::image::{Kind, Output};
 
 const HELP: &str = "\
-Files are known by their content: EXR (linear; R, G, B or Y), Radiance HDR (linear), PNG (taken as sRGB).
+Files are known by their content: EXR (linear; R, G, B or Y, also of a layer), Radiance HDR (linear), PNG (taken as sRGB).
 Pixels that are NaN, infinite or negative in either file are counted, and left out of everything.
 
   MSE, MAE  mean of (A-B)^2 and of |A-B| over pixels and channels

@@ -7,7 +7,7 @@ use colorous::Color;
 use super::Comparison;
 use super::arguments::Heat;
 use crate::cpu::metrics::{comparable, relative_error};
-use crate::systems::save::{Output, SaveError};
+use crate::image::{Output, SaveError};
 
 /// Pixels that could not be compared: a colour that no scale has.
 const BAD: Color = Color { r: 0, g: 255, b: 0 };

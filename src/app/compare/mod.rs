@@ -1,25 +1,22 @@
 //! `lucerna compare`: a picture against a reference.
 
 mod arguments;
-mod exr;
 #[cfg(feature = "flip")]
 mod flip;
 mod heat;
-mod read;
 mod report;
 
 use glam::{IVec2, UVec2};
 
 pub use arguments::CompareArguments;
 use arguments::Heat;
-pub use read::ReadError;
-use read::{Pixel, Source};
 
 use super::{Exit, Failure, output};
 use crate::components::Crop;
 use crate::cpu::blocks::{Blocks, Grid};
-use crate::cpu::display::srgb_byte;
 use crate::cpu::metrics::{Census, Difference, comparable, peak_signal_to_noise};
+use crate::image::srgb::srgb_byte;
+use crate::image::{Pixel, Source};
 
 /// Whether FLIP is built in.
 const HAS_FLIP: bool = cfg!(feature = "flip");
@@ -75,22 +72,21 @@ enum CompareError {
 /// Reads, compares and tells.
 pub fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
     let heat = heat(arguments)?;
-    let (mut a, mut b) = (Source::open(&arguments.a)?, Source::open(&arguments.b)?);
+    let (a, b) = (Source::open(&arguments.a)?, Source::open(&arguments.b)?);
     let (windows, origin) = windows(&a, &b, arguments.crop).map_err(Failure::of)?;
     if let Some(output) = &arguments.output {
         output.prepare()?;
     }
-    let sides = [side(&mut a, windows[0])?, side(&mut b, windows[1])?];
+    let sides = [side(&a, windows[0])?, side(&b, windows[1])?];
     let comparison = compare(sides, windows[0].size(), origin, arguments).map_err(Failure::of)?;
-    if let (Some(output), Some(heat)) = (&arguments.output, heat) {
-        heat::write(&comparison, heat, output)?;
-    }
+    let heat_map = arguments.output.as_ref().zip(heat).map(|(output, heat)| heat::write(&comparison, heat, output));
     let exceeded = report::exceeded(&comparison, arguments);
     match arguments.json {
         true => output::print(&format!("{}\n", report::json(&comparison, arguments, &exceeded)))?,
         false => output::print(&report::text(&comparison, arguments))?,
     }
     exceeded.iter().for_each(|line| output::note(line));
+    heat_map.transpose()?;
     Ok(if exceeded.is_empty() { Exit::Done } else { Exit::Differs })
 }
 
@@ -129,10 +125,10 @@ fn windows(a: &Source, b: &Source, crop: Option<Crop>) -> Result<([Crop; 2], IVe
     Ok(([Crop { min: UVec2::ZERO, max: a.size }; 2], places[0]))
 }
 
-fn side(source: &mut Source, window: Crop) -> Result<Side, Failure> {
+fn side(source: &Source, window: Crop) -> Result<Side, Failure> {
     let pixels = source.read(window)?;
     let name = source.path.display().to_string();
-    for note in &source.notes {
+    for note in source.notes.iter().chain(&source.warnings) {
         output::note(&format!("{name}: {note}"));
     }
     Ok(Side { name, census: Census::of(&pixels), pixels })

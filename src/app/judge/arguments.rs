@@ -7,7 +7,7 @@ use glam::UVec2;
 
 use super::core::Plan;
 use crate::app::arguments::{EXIT_CODES, define, output, seconds, size};
-use crate::systems::save::Output;
+use crate::image::Output;
 
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES)]

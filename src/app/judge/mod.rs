@@ -19,9 +19,9 @@ use super::progress::{Goal, Meter};
 use super::scene::choose_camera;
 use super::{Exit, Failure, output};
 use crate::gpu::Gpu;
+use crate::image::{Outputs, Picture};
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
-use crate::systems::save::Picture;
 use report::Account;
 
 /// What is said of code that is the same.
@@ -31,9 +31,7 @@ pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen();
     let (path, description) = describe(arguments)?;
-    for output in &arguments.output {
-        output.prepare()?;
-    }
+    let (mut outputs, prepared) = output::prepare(&arguments.output)?;
     let old = arguments.old.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open)?;
     let new = Library::open(&arguments.new)?;
     let gpu = Gpu::open()?;
@@ -52,8 +50,9 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     let changed = judge.changed();
     let adapter = gpu.name();
     let account = Account { arguments, path: &path, description: &description, adapter, changed, look: &look };
-    tell(&account, &judge.pictures()[1])?;
+    let saved = tell(&account, &judge.pictures()[1], &mut outputs)?;
     Ok(match (look.means.differ(), interrupted, look.tells()) {
+        _ if !(saved && prepared) => Exit::Failed,
         (true, ..) => Exit::MeansDiffer,
         (_, true, _) => Exit::Interrupted,
         (.., false) => Exit::Failed,
@@ -108,27 +107,26 @@ fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -
     }
 }
 
-/// Writes the files, then says what was found.
-fn tell(account: &Account, radiance: &[[f32; 3]]) -> Result<(), Failure> {
+/// Writes the files, then says what was found; whether all files were written.
+fn tell(account: &Account, radiance: &[[f32; 3]], outputs: &mut Outputs) -> Result<bool, Failure> {
     let arguments = account.arguments;
     let film = &account.description.film;
     let window = film.window();
-    let names: Vec<String> = arguments.output.iter().map(|output| output.path.display().to_string()).collect();
-    let json = account.json(&names);
     let display = marked(radiance, window.size(), f64::from(film.exposure).exp2(), &account.look.means);
     let metadata = account.metadata();
-    let picture =
-        Picture { size: film.size, window, linear: radiance, display: &display, metadata: &metadata, report: &json };
-    for output in &arguments.output {
-        output.write(&picture)?;
-    }
+    let report = &serde_json::Value::Null;
+    let picture = Picture { size: film.size, window, linear: radiance, display: &display, metadata: &metadata, report };
+    let failures = outputs.write(&picture, |names| account.json(names));
+    failures.iter().for_each(|failure| show(failure));
+    let names = outputs.names();
     if !arguments.quiet {
         account.warnings().iter().for_each(|line| output::note(line));
     }
     match arguments.json {
-        true => output::print(&format!("{json}\n")),
-        false => output::print(&account.text(&names)),
+        true => output::print(&format!("{}\n", account.json(&names)))?,
+        false => output::print(&account.text(&names))?,
     }
+    Ok(failures.is_empty())
 }
 
 impl From<JudgeError> for Failure {

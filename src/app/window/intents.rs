@@ -9,7 +9,8 @@ use super::controls::Intent;
 use super::screen::physical_size;
 use super::session::Session;
 use super::{cameras, navigate, snapshot};
-use crate::app::{Failure, output};
+use crate::app::failure::show;
+use crate::app::output;
 use crate::components::{Camera, Film};
 use crate::scene;
 use crate::systems::EngineError;
@@ -123,16 +124,15 @@ impl Session {
         let Some(film) = self.survive("saving", film)? else { return Ok(()) };
         let name = self.name().to_owned();
         let scene = self.engine.edit(|world| scene::describe(world, &name));
-        match snapshot::save(Path::new("result"), &scene, &self.gpu.name(), &film) {
-            Ok(files) => {
-                let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
-                output::note(&format!("saved {}", names.join(" and ")));
-                self.notify(format!("saved {}", names.join(" and ")));
-            }
-            Err(error) => {
-                self.notify(error.to_string());
-                Failure::of(error).show();
-            }
+        let (names, failures) = snapshot::save(Path::new("result"), &scene, &self.gpu.name(), &film);
+        if !names.is_empty() {
+            let saved = format!("saved {}", names.join(" and "));
+            output::note(&saved);
+            self.notify(saved);
+        }
+        for failure in failures {
+            self.notify(failure.to_string());
+            show(&failure);
         }
         Ok(())
     }

@@ -1,24 +1,20 @@
 //! Saves what the window shows to `result/`, as PNG and EXR.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::navigate;
 use crate::app::report;
 use crate::components::Film;
+use crate::image::{Kind, Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
 use crate::systems::FilmImage;
-use crate::systems::save::{Output, Picture, SaveError};
 
 /// Numbers that are tried for a name that is free.
 const MOST_NAMES: u32 = 100_000;
 
-/// Writes the film under the first name that is free in `folder`, `SCENE-1.png` and `.exr`. Returns the files.
-pub fn save(
-    folder: &Path,
-    scene: &SceneDescription,
-    adapter: &str,
-    film: &FilmImage,
-) -> Result<Vec<PathBuf>, SaveError> {
+/// Writes the film under the first name that is free in `folder`, `SCENE-1.png` and `.exr`. Returns the names of the files
+/// that were written, and why the others were not.
+pub fn save(folder: &Path, scene: &SceneDescription, adapter: &str, film: &FilmImage) -> (Vec<String>, Vec<SaveError>) {
     let path = |n: u32, extension: &str| folder.join(format!("{}-{n}.{extension}", scene.name));
     let free = |n: &u32| !path(*n, "png").exists() && !path(*n, "exr").exists();
     let number = (1..MOST_NAMES).find(free).unwrap_or(MOST_NAMES);
@@ -31,11 +27,11 @@ pub fn save(
         metadata: &metadata,
         report: &serde_json::Value::Null,
     };
-    let files = ["png", "exr"].map(|extension| path(number, extension));
-    for file in &files {
-        Output::new(file)?.write(&picture)?;
-    }
-    Ok(files.to_vec())
+    let files = [("png", Kind::Png), ("exr", Kind::Exr)];
+    let files = files.map(|(extension, kind)| Output { path: path(number, extension), kind });
+    let (mut outputs, mut failures) = Outputs::prepare(&files);
+    failures.extend(outputs.write(&picture, |_| serde_json::Value::Null));
+    (outputs.names(), failures)
 }
 
 /// What it takes to come back to this picture. The camera is as it was moved, as a line for the scene file.

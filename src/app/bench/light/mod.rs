@@ -26,11 +26,15 @@ use crate::app::progress::{Goal, Meter};
 use crate::app::stage::{Stage, Watch};
 use crate::app::{Exit, Failure, output};
 use crate::gpu::Gpu;
+use crate::image::file;
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
 use arguments::ReferenceBy;
 use record::{Bench, Machine, SceneRecord};
 use reference::{Reference, Shelf};
+
+/// The files that are written, beside the plots.
+const FILES: [&str; 3] = ["bench.json", "bench.csv", "bench.md"];
 
 /// A scene to be measured.
 struct Subject {
@@ -44,6 +48,10 @@ struct Subject {
 pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen();
     let earlier = arguments.against.as_deref().map(against::read).transpose()?;
+    // What is measured for an hour is not to end in a refusal.
+    for name in FILES {
+        file::prepare(&arguments.out.join(name))?;
+    }
     let library = Library::shipped();
     let mut subjects = Vec::new();
     for name in arguments.scenes()? {
@@ -178,28 +186,30 @@ fn tell(bench: &Bench, arguments: &LightArguments, earlier: Option<&Bench>) -> R
     if let Some(verdict) = &verdict {
         table += &format!("\n{}", verdict.markdown());
     }
-    let mut files = vec![
-        ("bench.json".to_owned(), json.clone()),
-        ("bench.csv".to_owned(), tables::csv(bench)),
-        ("bench.md".to_owned(), table.clone()),
-    ];
+    let mut files: Vec<(String, String)> =
+        FILES.map(str::to_owned).into_iter().zip([json.clone(), tables::csv(bench), table.clone()]).collect();
     for scene in &bench.scenes {
         for axis in [plot::Axis::Seconds, plot::Axis::Samples] {
             files.extend(plot::svg(bench, scene, axis).map(|svg| (plot::file_name(scene, axis), svg)));
         }
     }
-    let mut names = String::new();
+    let (mut names, mut whole) = (String::new(), true);
     for (name, text) in &files {
         let path = arguments.out.join(name);
-        output::write_file(&path, text).map_err(|source| BenchError::file(&path, source))?;
-        names += &format!("{}\n", path.display());
+        match file::write_text(&path, text) {
+            Ok(()) => names += &format!("{}\n", path.display()),
+            Err(failure) => {
+                show(&failure);
+                whole = false;
+            }
+        }
     }
     output::print(&if arguments.json { json } else { format!("{table}\n{names}") })?;
-    let Some(verdict) = verdict else { return Ok(Exit::Done) };
-    if arguments.json && !arguments.quiet {
+    if let Some(verdict) = verdict.as_ref().filter(|_| arguments.json && !arguments.quiet) {
         output::note(&verdict.markdown());
     }
-    Ok(if verdict.passed() { Exit::Done } else { Exit::Failed })
+    let passed = verdict.is_none_or(|verdict| verdict.passed());
+    Ok(if passed && whole { Exit::Done } else { Exit::Failed })
 }
 
 /// Reads a file of an earlier benchmark, or of anything else in JSON.

@@ -9,14 +9,13 @@ use bevy_ecs::prelude::World;
 use super::configuration::Configuration;
 use super::record::ReferenceRecord;
 use crate::app::bench::BenchError;
-use crate::app::output;
 use crate::app::progress::{Goal, Meter};
 use crate::app::stage::{Stage, Watch};
 use crate::components::{Film, Integrator, Render, Sampler};
 use crate::cpu::metrics::DARK;
 use crate::cpu::oracle::{self, Oracle};
+use crate::image::{Output, Picture, Source, file};
 use crate::scene::{self, SceneDescription};
-use crate::systems::save::{Output, Picture};
 
 /// The estimator that is trusted most: independent samples, no path ended early.
 const TRUSTED: Configuration = Configuration { integrator: Integrator::Path, sampler: Sampler::Pcg, roulette: false };
@@ -50,9 +49,9 @@ impl Shelf {
     pub fn find(&self, film: &Film, spp: u32) -> Option<Reference> {
         let record: ReferenceRecord = serde_json::from_slice(&std::fs::read(&self.record).ok()?).ok()?;
         let size = film.window().size();
-        let rgb = read_exr(&self.picture)?;
-        let fits = rgb.len() as u64 == u64::from(size.x) * u64::from(size.y);
-        (fits && record.key == self.key && record.spp >= spp).then_some(Reference { rgb, record })
+        let picture = Source::open(&self.picture).ok()?;
+        let fits = picture.size == size && record.key == self.key && record.spp >= spp;
+        Some(Reference { rgb: picture.read_all().ok().filter(|_| fits)?, record })
     }
 
     /// Traces the reference, and keeps it. None if a signal came before it was done.
@@ -137,7 +136,7 @@ impl Shelf {
             report: &serde_json::Value::Null,
         };
         Output::new(&self.picture)?.write(&picture)?;
-        output::write_file(&self.record, &record).map_err(|source| BenchError::file(&self.record, source))
+        Ok(file::write_text(&self.record, &record)?)
     }
 }
 
@@ -149,14 +148,4 @@ fn stated_error(picture: &oracle::Picture) -> f64 {
         .zip(&picture.error)
         .map(|(mean, error)| (error * error / (mean * mean + DARK)).element_sum());
     terms.sum::<f64>() / (3 * picture.mean.len().max(1)) as f64
-}
-
-/// The pixels of a file; none if it isn't there, or is broken.
-fn read_exr(path: &Path) -> Option<Vec<[f32; 3]>> {
-    let image = exr::prelude::read_first_rgba_layer_from_file(
-        path,
-        |size, _| (size.width(), vec![[0.0; 3]; size.area()]),
-        |(width, pixels), at, (r, g, b, _): (f32, f32, f32, f32)| pixels[at.y() * *width + at.x()] = [r, g, b],
-    );
-    Some(image.ok()?.layer_data.channel_data.pixels.1)
 }

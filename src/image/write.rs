@@ -1,10 +1,8 @@
-//! Writes a finished film as PNG, EXR or JSON. A file appears whole or not at all.
-//!
-//! Plain functions, no system: saving reads what the engine handed out, and never touches the world.
+//! Writes a finished film as PNG, EXR or JSON.
 
 use std::fs::File;
 use std::io::{BufWriter, Seek, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use exr::image::{Encoding, Image, Layer, SpecificChannels};
 use exr::math::Vec2;
@@ -12,6 +10,7 @@ use exr::meta::attribute::{AttributeValue, IntegerBounds, Text};
 use exr::meta::header::LayerAttributes;
 use glam::UVec2;
 
+use super::file::{self, SaveError};
 use crate::components::Crop;
 
 /// What can be written about a render.
@@ -50,23 +49,6 @@ pub struct Output {
     pub kind: Kind,
 }
 
-/// Why a file could not be written. Each names the file and says what to do.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-pub enum SaveError {
-    #[error("{}: the extension says nothing that can be written", .0.display())]
-    #[diagnostic(help("end the name in .png, .exr or .json"))]
-    Extension(PathBuf),
-    #[error("{}: is a folder", .0.display())]
-    #[diagnostic(help("name a file in it"))]
-    IsFolder(PathBuf),
-    #[error("{}: can't make the folder: {source}", folder.display())]
-    #[diagnostic(help("choose another place with -o FILE"))]
-    Folder { folder: PathBuf, source: std::io::Error },
-    #[error("{}: can't write: {source}", path.display())]
-    #[diagnostic(help("choose another place with -o FILE, or make room there"))]
-    Write { path: PathBuf, source: std::io::Error },
-}
-
 impl Output {
     /// Chooses the kind by the extension, in either case of letters.
     pub fn new(path: impl Into<PathBuf>) -> Result<Self, SaveError> {
@@ -81,14 +63,9 @@ impl Output {
         Ok(Self { path, kind })
     }
 
-    /// Makes missing folders and tries whether a file can be written there, so that a long render can't end in a refusal.
+    /// Tries whether the file can be written, so that long work can't end in a refusal.
     pub fn prepare(&self) -> Result<(), SaveError> {
-        if self.path.is_dir() {
-            return Err(SaveError::IsFolder(self.path.clone()));
-        }
-        let folder = self.folder();
-        std::fs::create_dir_all(folder).map_err(|source| SaveError::Folder { folder: folder.to_path_buf(), source })?;
-        self.temporary().map(drop).map_err(|source| self.failed(source))
+        file::prepare(&self.path).map(drop)
     }
 
     /// Writes the picture as its kind of file.
@@ -103,43 +80,12 @@ impl Output {
         })
     }
 
-    /// Writes the file by `content`, under a temporary name beside its place, then renames it.
+    /// Writes the file by `content`, whole.
     pub fn write_by(
         &self,
         content: impl FnOnce(&mut BufWriter<&File>) -> std::io::Result<()>,
     ) -> Result<(), SaveError> {
-        let folder = self.folder();
-        std::fs::create_dir_all(folder).map_err(|source| SaveError::Folder { folder: folder.to_path_buf(), source })?;
-        self.write_whole(content).map_err(|source| self.failed(source))
-    }
-
-    fn write_whole(&self, content: impl FnOnce(&mut BufWriter<&File>) -> std::io::Result<()>) -> std::io::Result<()> {
-        let file = self.temporary()?;
-        let mut out = BufWriter::new(file.as_file());
-        content(&mut out)?;
-        out.flush()?;
-        drop(out);
-        file.as_file().sync_data()?;
-        file.persist(&self.path).map_err(|failed| failed.error)?;
-        Ok(())
-    }
-
-    /// A file of another name in the same folder, removed unless it is renamed. Others may read it, as far as the user's
-    /// mask of permissions says.
-    fn temporary(&self) -> std::io::Result<tempfile::NamedTempFile> {
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".lucerna-").suffix(".part");
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        builder.tempfile_in(self.folder())
-    }
-
-    fn folder(&self) -> &Path {
-        self.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-    }
-
-    fn failed(&self, source: std::io::Error) -> SaveError {
-        SaveError::Write { path: self.path.clone(), source }
+        file::write(&self.path, content)
     }
 }
 

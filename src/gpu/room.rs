@@ -1,0 +1,70 @@
+//! What to do about an array that a device has no room for: what of the scene it grows with, and how much of that there can be.
+
+use crate::layout::alias::AliasColumn;
+use crate::layout::film::FilmPixel;
+use crate::layout::light::LightRecord;
+use crate::layout::trace::{MaterialRecord, RadianceSample, Shading};
+use crate::layout::tree::{LeafBox, Node, Triangle};
+
+/// What a buffer has an element for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Grows {
+    /// Every pixel of the environment's picture.
+    Sky,
+    /// Every pixel of the film.
+    Film,
+    Triangles,
+    Lights,
+    Materials,
+    Rays,
+}
+
+/// What a buffer grows with, and the bytes of one of that.
+fn growth(name: &str) -> Option<(Grows, usize)> {
+    Some(match name {
+        "sky" => (Grows::Sky, size_of::<glam::Vec4>()),
+        "sky_columns" => (Grows::Sky, size_of::<AliasColumn>()),
+        "film" => (Grows::Film, size_of::<FilmPixel>()),
+        "radiance" => (Grows::Film, size_of::<RadianceSample>()),
+        "picture" => (Grows::Film, 4),
+        "triangles" | "leaves" => (Grows::Triangles, size_of::<Triangle>()),
+        "nodes" => (Grows::Triangles, size_of::<Node>()),
+        // Of runs of 1, 2, 4, .. leaves.
+        "boxes" => (Grows::Triangles, 2 * size_of::<LeafBox>()),
+        "shading" => (Grows::Triangles, size_of::<Shading>()),
+        "keys" | "keys_back" => (Grows::Triangles, 8),
+        "payload" | "payload_back" => (Grows::Triangles, 4),
+        "lights" => (Grows::Lights, size_of::<LightRecord>()),
+        "materials" => (Grows::Materials, size_of::<MaterialRecord>()),
+        "rays" | "hits" | "occlusion" => (Grows::Rays, size_of::<crate::layout::ray::Ray>()),
+        _ => return None,
+    })
+}
+
+/// What to do where a buffer is larger than `limit` bytes.
+pub fn advice(name: &str, limit: u64) -> String {
+    let Some((grows, bytes)) = growth(name) else {
+        return format!("{}, or an adapter with larger buffers (`lucerna doctor`)", smaller(name));
+    };
+    let most = limit / bytes as u64;
+    let fits = match grows {
+        // The sphere by longitude and latitude is twice as wide as high.
+        Grows::Sky => format!("one of {}x{} pixels fits", 2 * (most / 2).isqrt(), (most / 2).isqrt()),
+        Grows::Film => format!("{most} pixels fit, such as {0}x{0}", most.isqrt()),
+        _ => format!("about {most} fit"),
+    };
+    format!("{}: {fits}; or an adapter with larger buffers (`lucerna doctor`)", smaller(name))
+}
+
+/// What to do where a buffer finds no room.
+pub fn smaller(name: &str) -> &'static str {
+    match growth(name).map(|(grows, _)| grows) {
+        Some(Grows::Sky) => "use a smaller picture of the environment",
+        Some(Grows::Film) => "use a smaller film (`--size`), or a part of it (`--crop`)",
+        Some(Grows::Triangles) => "use fewer triangles",
+        Some(Grows::Lights) => "use fewer triangles that emit",
+        Some(Grows::Materials) => "use fewer materials",
+        Some(Grows::Rays) => "ask for fewer rays",
+        None => "use a smaller scene or film",
+    }
+}

@@ -1,0 +1,47 @@
+//! Several outputs, of which some can't be written.
+
+use super::{folder_with, lucerna, names, refused};
+
+/// Exit code, JSON report and stderr of a render of the small scene.
+fn render(folder: &std::path::Path, outputs: &[&str]) -> (Option<i32>, serde_json::Value, String) {
+    let outputs = outputs.iter().flat_map(|output| ["-o", *output]);
+    let run = lucerna(folder, &["render", "a.ron", "--quiet", "--json"].into_iter().chain(outputs).collect::<Vec<_>>());
+    let text = String::from_utf8(run.stderr).unwrap();
+    (run.status.code(), serde_json::from_slice(&run.stdout).unwrap(), text)
+}
+
+#[test]
+fn the_others_are_written_and_each_failure_is_told() {
+    let folder = folder_with("", b"");
+    std::fs::create_dir(folder.path().join("taken.exr")).unwrap();
+    let (code, report, text) = render(folder.path(), &["taken.exr", "x.png", "a.obj/x.json", "y.exr", "./x.png"]);
+    assert_eq!(code, Some(1), "{text}");
+    assert_eq!(report["outputs"], serde_json::json!(["x.png", "y.exr"]));
+    assert_eq!(text.matches("error:").count(), 2, "{text}");
+    assert!(text.contains("taken.exr: is a folder") && text.contains("a.obj") && text.contains("help:"), "{text}");
+    assert_eq!(names(folder.path()), ["a.mtl", "a.obj", "a.ron", "taken.exr", "x.png", "y.exr"]);
+}
+
+#[test]
+fn where_none_can_be_written_nothing_is_rendered() {
+    let folder = folder_with("", b"");
+    let text = refused(1, folder.path(), &["render", "a.ron", "--spp", "4000000000", "-o", "a.mtl/x.png"]);
+    assert!(text.contains("a.mtl"), "{text}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_written_through() {
+    let folder = folder_with("", b"");
+    std::fs::create_dir(folder.path().join("elsewhere")).unwrap();
+    for name in ["x.png", "x.exr", "x.json"] {
+        std::os::unix::fs::symlink(format!("elsewhere/{name}"), folder.path().join(name)).unwrap();
+    }
+    let (code, report, text) = render(folder.path(), &["x.png", "x.exr", "x.json", "elsewhere/x.png"]);
+    assert_eq!((code, text.as_str()), (Some(0), ""));
+    assert_eq!(report["outputs"], serde_json::json!(["x.png", "x.exr", "x.json"]));
+    for name in ["x.png", "x.exr", "x.json"] {
+        assert!(std::fs::symlink_metadata(folder.path().join(name)).unwrap().is_symlink(), "{name}");
+    }
+    assert_eq!(names(&folder.path().join("elsewhere")), ["x.exr", "x.json", "x.png"]);
+}
