@@ -8,6 +8,7 @@ use lucerna::cpu::rng::Source;
 
 use crate::rooms::{Room, trace_batch};
 use crate::support;
+use crate::support::patience::processor_time;
 
 /// From text to the first dispatch done: lavapipe on 2 cores, and a GPU.
 const BUDGETS: [Duration; 2] = [Duration::from_millis(400), Duration::from_millis(350)];
@@ -24,12 +25,8 @@ const MARK: &str = "path kernel, cold, milliseconds: ";
 fn clock() -> Duration {
     static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     let start = START.get_or_init(Instant::now);
-    let stat = std::fs::read_to_string("/proc/self/stat").ok().filter(|_| support::gpu().is_software());
-    let ticks = |stat: &str| {
-        let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
-        Some(fields.get(11)?.parse::<u64>().ok()? + fields.get(12)?.parse::<u64>().ok()?)
-    };
-    stat.and_then(|stat| ticks(&stat)).map_or_else(|| start.elapsed(), |ticks| Duration::from_millis(10 * ticks))
+    let taken = processor_time(std::process::id()).filter(|_| support::gpu().is_software());
+    taken.unwrap_or_else(|| start.elapsed())
 }
 
 /// Links, compiles and first runs the kernel with every feature.
