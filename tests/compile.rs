@@ -8,6 +8,7 @@ use lucerna::cpu::rng::Source;
 
 use crate::rooms::{Room, trace_batch};
 use crate::support;
+use crate::support::patience::processor_time;
 
 /// From text to the first dispatch done: a GPU, lavapipe on 2 cores, and that of Mesa 25, whose code is three times as fast and
 /// takes three times as long to make.
@@ -25,12 +26,8 @@ const MARK: &str = "path kernel, cold, milliseconds: ";
 fn clock() -> Duration {
     static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     let start = START.get_or_init(Instant::now);
-    let stat = std::fs::read_to_string("/proc/self/stat").ok().filter(|_| support::gpu().is_software());
-    let ticks = |stat: &str| {
-        let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
-        Some(fields.get(11)?.parse::<u64>().ok()? + fields.get(12)?.parse::<u64>().ok()?)
-    };
-    stat.and_then(|stat| ticks(&stat)).map_or_else(|| start.elapsed(), |ticks| Duration::from_millis(10 * ticks))
+    let taken = processor_time(std::process::id()).filter(|_| support::gpu().is_software());
+    taken.unwrap_or_else(|| start.elapsed())
 }
 
 /// Which of the budgets is meant.

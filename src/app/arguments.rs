@@ -23,6 +23,7 @@ Exit codes:
   3    no graphics adapter that can be used: see `lucerna doctor`
   4    compared pictures differ by more than a --max flag allows
   5    judged shaders have another mean
+  6    whether judged shaders have another mean can't be told yet
   130  interrupted; what there was has been written";
 
 /// A GPU path tracer.

@@ -25,6 +25,8 @@ pub enum Exit {
     Differs,
     /// Judged shaders have another mean.
     MeansDiffer,
+    /// Judged shaders may have another mean, or the same.
+    CannotTell,
     /// Interrupted; what there was has been written.
     Interrupted,
 }
@@ -39,6 +41,7 @@ impl Exit {
             Exit::NoAdapter => 3,
             Exit::Differs => 4,
             Exit::MeansDiffer => 5,
+            Exit::CannotTell => 6,
             Exit::Interrupted => 130,
         }
     }

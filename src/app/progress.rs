@@ -108,15 +108,26 @@ impl Meter {
     pub fn advance(&mut self, samples: u64, spp: u32) {
         self.samples += samples;
         self.spp = spp;
+        let message = self.message();
+        self.draw(&message);
+    }
+
+    /// Shows that so much of the goal is done, in whatever it counts, with words of its own.
+    pub fn show(&mut self, samples: u64, message: &str) {
+        self.samples = samples;
+        self.draw(message);
+    }
+
+    fn draw(&mut self, message: &str) {
         match self.shown {
             Shown::Nothing => {}
             Shown::Bar => {
                 self.bar.set_position((self.done() * FINE as f64) as u64);
-                self.bar.set_message(self.message());
+                self.bar.set_message(message.to_owned());
             }
             Shown::Lines if self.line.elapsed() >= LINE => {
                 self.line = Instant::now();
-                output::note(&format!("{:3.0} %  {}{}", self.done() * 100.0, self.label, self.message()));
+                output::note(&format!("{:3.0} %  {}{message}", self.done() * 100.0, self.label));
             }
             Shown::Lines => {}
         }

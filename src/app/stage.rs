@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::interrupt::Interrupt;
 use super::progress::Meter;
-use crate::components::Render;
+use crate::components::{Film, Render};
 use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::{Features, Library};
@@ -40,6 +40,15 @@ impl Stage {
         self.engine.edit(|world| {
             for mut held in world.query::<&mut Render>().iter_mut(world) {
                 *held = render;
+            }
+        });
+    }
+
+    /// Changes the film: where it is another than before, it starts anew.
+    pub fn set_film(&mut self, film: Film) {
+        self.engine.edit(|world| {
+            for mut held in world.query::<&mut Film>().iter_mut(world) {
+                *held = film;
             }
         });
     }

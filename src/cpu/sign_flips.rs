@@ -6,8 +6,16 @@
 //! can't make the sum significant by itself, as it can with a normal approximation. A difference of two films by equal code is
 //! symmetric because the two may be exchanged.
 
+use super::statistics::{mean, upper_quantile, variance};
+
 /// Standard deviations below which the bound would be 1 or little less.
 const SMALL: f64 = 1.0;
+
+/// Halvings of what the best k is known to be within: 1e-5 of it, and of the bound's logarithm far less.
+const HALVINGS: u32 = 16;
+
+/// Probability that a shift of the size that [`least_found`] tells is missed.
+pub const MISSED: f64 = 0.05;
 
 /// An upper bound of the probability that |sum of the sizes with random signs| is at least |`sum`|.
 ///
@@ -28,13 +36,41 @@ pub fn tail_bound(sizes: &[f64], sum: f64) -> f64 {
     while slope(high) < 0.0 && high < 1e6 {
         (low, high) = (high, 2.0 * high);
     }
-    for _ in 0..40 {
+    for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         if slope(middle) < 0.0 { low = middle } else { high = middle }
     }
     // Any k gives a bound.
     let log = sizes.iter().map(|size| ln_cosh(high * size)).sum::<f64>() - high * x;
     (2.0 * log.exp()).min(1.0)
+}
+
+/// The least shift of the mean of such numbers whose sum would have a bound below `level`, but for one time in twenty
+/// ([`MISSED`]). Their noise is taken to be what they show, less their mean; `None` where no shift would be seen, or there are
+/// fewer than two.
+pub fn least_found(sizes: &[f64], level: f64) -> Option<f64> {
+    let (n, middle) = (sizes.len() as f64, mean(sizes));
+    let error = (variance(sizes)? / n).sqrt();
+    let seen = |shift: f64| {
+        let shifted: Vec<f64> = sizes.iter().map(|size| size - middle + shift).collect();
+        tail_bound(&shifted, n * shift) < level
+    };
+    if error == 0.0 {
+        return seen(1.0).then_some(0.0);
+    }
+    let (mut high, mut doublings) = (error, 0);
+    while !seen(high) {
+        (high, doublings) = (2.0 * high, doublings + 1);
+        if doublings > 40 {
+            return None;
+        }
+    }
+    let mut low = 0.0;
+    for _ in 0..12 {
+        let between = 0.5 * (low + high);
+        if seen(between) { high = between } else { low = between }
+    }
+    Some(high + error * upper_quantile(MISSED, n - 1.0))
 }
 
 fn ln_cosh(y: f64) -> f64 {

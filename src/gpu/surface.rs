@@ -90,9 +90,10 @@ impl Surface {
     }
 
     /// Draws a frame and presents it.
-    pub fn draw(&mut self, runtime: &Runtime, shown: Shown, fit: Fit, paint: Paint) -> Result<Drawn, GpuError> {
-        // Taken up whether or not there is a frame: egui sends each texture once.
-        for (id, deltas) in &paint.textures.set {
+    pub fn draw(&mut self, runtime: &Runtime, shown: Shown, fit: Fit, mut paint: Paint) -> Result<Drawn, GpuError> {
+        // Taken up whether or not there is a frame: egui sends each texture once, and asserts that none is dropped.
+        let freed = std::mem::take(&mut paint.textures.free);
+        for (id, deltas) in &std::mem::take(&mut paint.textures.set) {
             for delta in deltas {
                 self.ui.update_texture(&self.gpu.device, &self.gpu.queue, *id, delta);
             }
@@ -109,7 +110,7 @@ impl Surface {
             }
             None => Drawn::Later,
         };
-        for id in &paint.textures.free {
+        for id in &freed {
             self.ui.free_texture(id);
         }
         self.gpu.check_lost()?;

@@ -2,3 +2,5 @@
 
 mod edits;
 mod simulated;
+mod sizing;
+mod table;

@@ -20,11 +20,9 @@ use lucerna::systems::reload::{ReloadEvent, SceneFile, Sources};
 use lucerna::{Engine, FilmImage};
 
 use crate::support;
+use crate::support::patience::Patience;
 
 const STEP: Duration = Duration::from_millis(20);
-
-/// Far longer than any reload takes, also beside other tests.
-const PATIENCE: Duration = Duration::from_secs(60);
 
 const OBJ: &str = "\
 mtllib room.mtl
@@ -120,7 +118,7 @@ impl Bench {
     /// Steps until an event comes that `wanted` takes; returns what it makes of it. Events before it are dropped.
     #[track_caller]
     fn wait<T>(&mut self, what: &str, wanted: impl Fn(&ReloadEvent) -> Option<T>) -> T {
-        let begin = Instant::now();
+        let mut patience = Patience::here();
         loop {
             for (i, event) in self.events.iter().enumerate() {
                 if let Some(found) = wanted(event) {
@@ -128,9 +126,9 @@ impl Bench {
                     return found;
                 }
             }
-            assert!(begin.elapsed() < PATIENCE, "no {what} came, only {:?}", self.events);
+            let moment = patience.moment(&format!("a {what}; only {:?} came", self.events));
             if self.step() {
-                std::thread::sleep(Duration::from_millis(2));
+                std::thread::sleep(moment);
             }
         }
     }

@@ -2,14 +2,30 @@
 
 use std::fs;
 use std::io::Write;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use super::Bench;
+use super::{Bench, MTL};
 
 const FILE: &str = "shaders/passes/display/display.wgsl";
 
 /// Longer than a burst, and than the patience with half-saved files.
 const SETTLED: Duration = Duration::from_millis(800);
+
+/// A save that takes longer than this, on a busy machine, may be taken for two.
+const QUICK: Duration = Duration::from_millis(300);
+
+/// Saves, and saves again if that was not quick. What is written is another text each time: `save` is told how often it was tried.
+fn save_quickly(bench: &mut Bench, mut save: impl FnMut(usize)) {
+    for tried in 0..100 {
+        let begin = Instant::now();
+        save(tried);
+        if begin.elapsed() < QUICK {
+            return;
+        }
+        bench.count_for(SETTLED);
+    }
+    panic!("this machine is too busy to save a file");
+}
 
 #[test]
 fn each_way_of_saving_is_one_reload() {
@@ -17,7 +33,7 @@ fn each_way_of_saving_is_one_reload() {
     let original = bench.read(FILE);
     let path = bench.path(FILE);
     let beside = |name: &str| path.with_file_name(name);
-    let text = |n: u32| original.replace("srgb8(linear)", &format!("srgb8(linear * {n}.5)"));
+    let text = |n: usize, tried: usize| original.replace("srgb8(linear)", &format!("srgb8(linear * {n}.{tried}5)"));
     type Save<'a> = Box<dyn Fn(&str) + 'a>;
     let ways: Vec<(&str, Save)> = vec![
         ("VS Code: truncate and write", Box::new(|text| fs::write(&path, text).unwrap())),
@@ -74,11 +90,12 @@ fn each_way_of_saving_is_one_reload() {
         ),
     ];
     for (n, (way, save)) in ways.iter().enumerate() {
-        save(&text(n as u32));
-        assert_eq!(bench.count_for(SETTLED), (1, 0), "{way}");
+        save_quickly(&mut bench, |tried| save(&text(n, tried)));
+        assert_eq!(bench.reloaded(), "picture", "{way}");
+        assert_eq!(bench.count_for(SETTLED), (0, 0), "{way}: told twice");
     }
     // Saved without a change: nothing to do.
-    fs::write(&path, text(ways.len() as u32 - 1)).unwrap();
+    fs::write(&path, fs::read(&path).unwrap()).unwrap();
     assert_eq!(bench.count_for(SETTLED), (0, 0), "the same text again");
     drop(ways);
 }
@@ -87,24 +104,28 @@ fn each_way_of_saving_is_one_reload() {
 fn a_burst_of_files_is_one_reload() {
     let mut bench = Bench::new();
     // As a checkout does it: every shader, and the scene's files too.
-    let mut written = 0;
-    let mut folders = vec![bench.path("shaders")];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-                continue;
+    let (shaders, library) = (bench.path("shaders"), bench.path("room.mtl"));
+    save_quickly(&mut bench, |tried| {
+        let mut written = 0;
+        let mut folders = vec![shaders.clone()];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(folder).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() {
+                    folders.push(path);
+                    continue;
+                }
+                let text = format!("{}\n// another branch\n", fs::read_to_string(&path).unwrap());
+                fs::remove_file(&path).unwrap();
+                fs::write(&path, text).unwrap();
+                written += 1;
             }
-            let text = format!("{}\n// another branch\n", fs::read_to_string(&path).unwrap());
-            fs::remove_file(&path).unwrap();
-            fs::write(&path, text).unwrap();
-            written += 1;
         }
-    }
-    bench.replace("room.mtl", "Kd 0.5 0.5 0.5", "Kd 0.6 0.5 0.5");
-    assert!(written > 40, "{written} files are no burst");
-    assert_eq!(bench.count_for(SETTLED), (1, 0));
+        fs::write(&library, MTL.replace("Kd 0.5 0.5 0.5", &format!("Kd 0.6 0.5 0.5{tried}"))).unwrap();
+        assert!(written > 40, "{written} files are no burst");
+    });
+    assert_eq!(bench.reloaded(), "film");
+    assert_eq!(bench.count_for(SETTLED), (0, 0));
     assert!(bench.film().pixels == bench.fresh_film().pixels);
 }
 

@@ -3,11 +3,12 @@
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, ChildStdout, Command, Stdio};
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 
 use serde_json::Value;
 
-use super::{MTL, OBJ, PATIENCE, SCENE, copy};
+use super::{MTL, OBJ, SCENE, copy};
+use crate::support::patience::Patience;
 
 /// A process that is ended with the test.
 struct Watch {
@@ -33,10 +34,22 @@ impl Watch {
         Watch { child, lines }
     }
 
+    /// The next line, as long as the process gets on.
+    fn line(&self, kind: &str) -> String {
+        let mut patience = Patience::with(self.child.id());
+        loop {
+            match self.lines.recv_timeout(patience.moment(kind)) {
+                Ok(line) => return line,
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => panic!("it ended without `{kind}`"),
+            }
+        }
+    }
+
     /// Reads up to the next event of a kind.
     fn next(&mut self, kind: &str) -> Value {
         loop {
-            let line = self.lines.recv_timeout(PATIENCE).unwrap_or_else(|error| panic!("no `{kind}`: {error}"));
+            let line = self.line(kind);
             let event: Value = serde_json::from_str(&line).unwrap_or_else(|error| panic!("{line}: {error}"));
             if event["event"] == kind {
                 return event;

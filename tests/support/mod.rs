@@ -1,6 +1,7 @@
 //! What the tests share.
 
 pub mod dice;
+pub mod patience;
 pub mod stage;
 pub mod tracer;
 pub mod trees;

@@ -83,6 +83,6 @@ fn a_person_edits_and_sees() {
     person.see("before beside after", |look| half(look, false) > 1.05 * half(look, true));
 
     person.display.key(ESCAPE);
-    let status = await_some("the end", || person.process.try_wait().unwrap());
+    let status = await_some(person.process.id(), "the end", || person.process.try_wait().unwrap());
     assert_eq!(status.code(), Some(0), "{}", stderr());
 }

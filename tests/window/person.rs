@@ -9,6 +9,7 @@ use x11rb::protocol::xproto::Window;
 
 use super::xvfb::{Screenshot, Xvfb, await_some};
 use crate::reload::copy;
+use crate::support::patience::processor_time;
 
 const F1: u32 = 0xffbe;
 const F2: u32 = 0xffbf;
@@ -17,6 +18,9 @@ const ESCAPE: u32 = 0xff1b;
 const LOWER_C: u32 = 0x63;
 const LOWER_W: u32 = 0x77;
 const ONE: u32 = 0x31;
+
+/// Processor time that two ticks of the system's clock, at either end of a span, may add. A single frame takes more.
+const TICKS: Duration = Duration::from_millis(20);
 
 /// Samples a pixel: the window has to be finished to be compared.
 const SPP: &str = "6";
@@ -57,7 +61,7 @@ impl Person {
         let file = |name: &str| std::fs::File::create(folder.path().join(name)).unwrap();
         command.stdin(Stdio::null()).stdout(file("stdout")).stderr(file("stderr"));
         let process = command.spawn().unwrap();
-        let window = await_some("the window", || display.window("Lucerna"));
+        let window = await_some(process.id(), "the window", || display.window("Lucerna"));
         display.focus(window);
         Self { display, folder, process, window }
     }
@@ -69,7 +73,8 @@ impl Person {
     /// Waits for a look at the window that is as wanted. A look that never came is kept where it can be looked at.
     pub fn see(&self, what: &str, wanted: impl Fn(&Screenshot) -> bool) -> Screenshot {
         let kept = std::env::temp_dir().join(format!("lucerna-window{}.png", self.display.name.replace(':', "-")));
-        let seen = await_some(&format!("{what}; the window is in {}", kept.display()), || {
+        let what_and_where = format!("{what}; the window is in {}", kept.display());
+        let seen = await_some(self.process.id(), &what_and_where, || {
             let look = self.look();
             look.write(&kept);
             wanted(&look).then_some(look)
@@ -85,7 +90,8 @@ impl Person {
     /// Waits until the film has all its samples.
     pub fn finish(&self) {
         let done = format!("{SPP} of {SPP} spp");
-        await_some("the film to be finished", || self.display.title(self.window).contains(&done).then_some(()));
+        let finished = || self.display.title(self.window).contains(&done).then_some(());
+        await_some(self.process.id(), "the film to be finished", finished);
     }
 
     /// What the process wrote to stdout.
@@ -115,18 +121,29 @@ impl Person {
     /// Presses Esc, and waits for the end. Returns what the process wrote to stderr.
     fn quit(&mut self) -> String {
         self.display.key(ESCAPE);
-        let status = await_some("the end", || self.process.try_wait().unwrap());
+        let status = await_some(self.process.id(), "the end", || self.process.try_wait().unwrap());
         let stderr = std::fs::read_to_string(self.folder.path().join("stderr")).unwrap();
         assert_eq!(status.code(), Some(0), "{stderr}");
         stderr
     }
 
-    /// Processor time of the process so far, in hundredths of a second, all threads together.
-    fn ticks(&self) -> u64 {
-        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.process.id())).unwrap();
-        // The name, in parentheses, may hold anything.
-        let fields: Vec<&str> = stat[stat.rfind(')').unwrap() + 1..].split_whitespace().collect();
-        fields[11].parse::<u64>().unwrap() + fields[12].parse::<u64>().unwrap()
+    /// Processor time of the process so far, all threads together.
+    fn taken(&self) -> Duration {
+        processor_time(self.process.id()).unwrap()
+    }
+
+    /// Waits until the process takes no more than `most` of the processor in `time`. When it comes to rest depends on how busy the
+    /// machine is, so it may take a while; one that does not rest fails.
+    fn rest(&self, what: &str, time: Duration, most: Duration) {
+        let spent: Vec<Duration> = (0..40)
+            .map(|_| {
+                let before = self.taken();
+                std::thread::sleep(time);
+                self.taken() - before
+            })
+            .take_while(|spent| *spent > most)
+            .collect();
+        assert!(spent.len() < 40, "{what}: it took {spent:?} in spans of {time:?}");
     }
 }
 
@@ -162,11 +179,7 @@ fn a_person_looks_moves_and_leaves() {
     person.display.key(F2);
     person.see("the panel beside the picture", |look| look.difference(&headless) > 10.0);
     // It looks at the film a last time a second after the one before.
-    std::thread::sleep(Duration::from_millis(1500));
-    let before = person.ticks();
-    std::thread::sleep(Duration::from_millis(1000));
-    let spent = person.ticks() - before;
-    assert!(spent <= 2, "the panel of a finished film took {spent} hundredths of a second");
+    person.rest("the panel of a finished film", Duration::from_millis(1500), TICKS);
     person.display.key(F2);
     person.see("the picture without the panel", |look| *look == headless);
 
@@ -175,7 +188,8 @@ fn a_person_looks_moves_and_leaves() {
     person.display.key(ONE);
     person.display.key(F12);
     let saved = person.folder.path().join("result/cornell-box-1.png");
-    await_some("the saved picture", || (saved.exists() && saved.with_extension("exr").exists()).then_some(()));
+    let is_saved = || (saved.exists() && saved.with_extension("exr").exists()).then_some(());
+    await_some(person.process.id(), "the saved picture", is_saved);
 
     let stderr = person.quit();
     assert!(!stderr.contains("error"), "{stderr}");
@@ -192,10 +206,8 @@ fn a_broken_shader_is_shown_over_the_picture() {
     let mut person = Person::in_folder(folder, "cornell-box", &[]);
     let reddish = |pixel: &&[u8; 3]| pixel[0] > 40 && pixel[1] < 20 && pixel[2] < 20;
     person.see("a red box with a message", |look| look.pixels.iter().filter(reddish).count() > 1000);
-    let before = person.ticks();
-    std::thread::sleep(Duration::from_millis(500));
-    // Trying again and again would take all of them; the watch has just begun, and reads its files.
-    assert!(person.ticks() - before <= 12, "what failed is tried again and again");
+    // Trying again and again would take all of it.
+    person.rest("what failed", Duration::from_millis(500), 6 * TICKS);
     let stderr = person.quit();
     assert_eq!(stderr.matches("shaders/passes/trace/path.wgsl:").count(), 1, "{stderr}");
 }
@@ -223,20 +235,16 @@ fn a_crop_is_letterboxed() {
 
 /// A finished film takes no processor time, and the window shows what it did.
 fn stays_put(person: &Person, headless: &Screenshot) {
-    std::thread::sleep(Duration::from_millis(300));
-    let before = person.ticks();
-    std::thread::sleep(Duration::from_millis(1500));
-    // A single frame would take more than the two hundredths that a clock tick at either end may add.
-    let spent = person.ticks() - before;
-    assert!(spent <= 2, "an idle window took {spent} hundredths of a second");
+    person.rest("an idle window", Duration::from_millis(1500), TICKS);
+    let before = person.taken();
     assert!(person.look() == *headless, "an idle window changed its picture");
     // The pointer's motion is no reason to draw either.
     for x in 20..60 {
         person.display.point(x, 20);
     }
     std::thread::sleep(Duration::from_millis(300));
-    let spent = person.ticks() - before;
-    assert!(spent <= 4, "a pointer over an idle window took {spent} hundredths of a second");
+    let spent = person.taken() - before;
+    assert!(spent <= 2 * TICKS, "a pointer over an idle window took {spent:?}");
 }
 
 /// After an orbit, a flight and another size, the picture is that of a headless render by the camera that was printed.
@@ -254,11 +262,11 @@ fn orbits_and_resizes(person: &Person, headless: &Screenshot) {
     std::thread::sleep(Duration::from_millis(200));
     display.hold(LOWER_W, false);
     display.resize(person.window, 200, 120);
-    // Longer than it takes to come to rest and back to the whole size.
-    std::thread::sleep(Duration::from_millis(800));
+    // It comes to rest, and back to the whole size.
+    person.rest("the end of a flight", Duration::from_millis(800), TICKS);
     person.finish();
     display.key(LOWER_C);
-    let line = await_some("the camera", || person.said().lines().next().map(str::to_owned));
+    let line = await_some(person.process.id(), "the camera", || person.said().lines().next().map(str::to_owned));
     let define = format!("cameras.front={}", camera_of(&line));
     assert_ne!(define, "cameras.front=");
     let moved = person.rendered("200x120", &["-D", &define]);

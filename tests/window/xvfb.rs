@@ -2,11 +2,12 @@
 
 use std::io::{BufRead, BufReader, IoSlice};
 use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
 
 use x11rb::connection::{Connection, RequestConnection};
 use x11rb::protocol::xproto::{AtomEnum, ConfigureWindowAux, ConnectionExt, ImageFormat, InputFocus, Window};
 use x11rb::rust_connection::RustConnection;
+
+use crate::support::patience::Patience;
 
 /// An X server without a screen.
 pub struct Xvfb {
@@ -144,14 +145,14 @@ impl Screenshot {
     }
 }
 
-/// Waits until something is there; fails with `what` after three minutes, in which even a busy machine compiles the kernel and judges.
-pub fn await_some<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
-    let begin = Instant::now();
+/// Waits until something is there that a process makes; fails with `what` once that no longer gets on.
+#[track_caller]
+pub fn await_some<T>(process: u32, what: &str, mut look: impl FnMut() -> Option<T>) -> T {
+    let mut patience = Patience::with(process);
     loop {
         if let Some(found) = look() {
             return found;
         }
-        assert!(begin.elapsed() < Duration::from_secs(180), "waited in vain for {what}");
-        std::thread::sleep(Duration::from_millis(20));
+        patience.wait(what);
     }
 }

@@ -1,11 +1,12 @@
 //! What `judge` accepts.
 
 use std::path::PathBuf;
+use std::time::Instant;
 
 use clap::Args;
 use glam::UVec2;
 
-use super::core::Plan;
+use super::core::{Plan, WITHIN};
 use crate::app::arguments::{EXIT_CODES, define, output, seconds, size};
 use crate::image::Output;
 
@@ -20,16 +21,16 @@ pub struct JudgeArguments {
     /// Folder of the shaders to be judged
     #[arg(long, value_name = "DIR", default_value = "shaders")]
     pub new: PathBuf,
-    /// Trace for so many seconds, after warm-up, unless all is clear before [default: 30, without --films]
+    /// End after so many seconds, compiling included, unless all is clear before [default: 30, without --films]
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
     /// Trace so many films of each, unless all is clear before (with --time: whichever comes first)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=1 << 24))]
     pub films: Option<u32>,
-    /// Samples a pixel of each film [default: a power of two, so that the time, or half a minute, is enough for 256 films]
+    /// Samples a pixel of each film [default: a power of two, so that the time, or half a minute, is enough for 192 films]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub spp: Option<u32>,
-    /// Size of the picture in pixels, each side 1 to 16384 [default: the scene's]
+    /// Size of the picture in pixels, each side 1 to 16384 [default: the scene's, halved until the time is enough]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<UVec2>,
     /// A camera of the scene, by its name
@@ -41,6 +42,9 @@ pub struct JudgeArguments {
     /// Probability that equal means are called different
     #[arg(long, value_name = "P", default_value = "1e-3", value_parser = alpha)]
     pub alpha: f64,
+    /// Say nothing of efficiency before a difference of so many percent of the whole picture would have been found [default: 0.5]
+    #[arg(long, value_name = "PERCENT", value_parser = percent)]
+    pub within: Option<f64>,
     /// Judge even if the scene runs the same code by both
     #[arg(long)]
     pub force: bool,
@@ -59,8 +63,18 @@ pub struct JudgeArguments {
 }
 
 impl JudgeArguments {
-    pub fn plan(&self) -> Plan {
-        Plan { spp: self.spp, seconds: self.time, films: self.films, alpha: self.alpha, seed: self.seed }
+    /// The time counts from `begin`.
+    pub fn plan(&self, begin: Instant) -> Plan {
+        Plan {
+            spp: self.spp,
+            whole: self.size.is_some(),
+            begin,
+            seconds: self.time,
+            films: self.films,
+            alpha: self.alpha,
+            within: self.within.map_or(WITHIN, |percent| 0.01 * percent),
+            seed: self.seed,
+        }
     }
 }
 
@@ -68,5 +82,12 @@ fn alpha(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(alpha) if (1e-12..=0.5).contains(&alpha) => Ok(alpha),
         _ => Err("expected a probability from 1e-12 to 0.5".into()),
+    }
+}
+
+fn percent(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(percent) if (1e-3..=100.0).contains(&percent) => Ok(percent),
+        _ => Err("expected percent from 0.001 to 100".into()),
     }
 }

@@ -2,17 +2,17 @@
 //! compared. Knows no command line, so that a window can run it between frames.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use glam::UVec2;
 
-use super::look::{End, Estimator, Look};
-use crate::app::stage::Stage;
-use crate::components::Render;
-use crate::cpu::blocks::Grid;
-use crate::cpu::efficiency::{Ratio, Trial, averages, pair_error, weights};
-use crate::cpu::equal_means::{MeansTest, block_side};
+use super::clock::Clock;
+use super::look::{End, Look, Verdict};
+use super::series::{Round, Series};
+use super::side::{Shot, Side};
+use super::sizing::{FIRST_SPP, fits, halved, is_cheap, pixels, resized, spp};
+use crate::components::Film;
 use crate::gpu::Gpu;
 use crate::passes::table::TABLE;
 use crate::passes::{extend, lint};
@@ -29,17 +29,11 @@ const LEAST_FILMS: usize = 64;
 /// Half an interval's width by the ratio that is narrow enough.
 const NARROW: f64 = 0.05;
 
-/// Films of each that the time is to be enough for, where the samples of one are not given.
-const FILMS: f64 = 256.0;
-
 /// Of judging, where nothing else is asked for.
 pub const SECONDS: f64 = 30.0;
 
-/// Samples a pixel of the film that tells the speed, the first that counts being another.
-const TRIAL_SPP: u32 = 4;
-
-/// Samples of the pilot film, by those of a film.
-const PILOT: u32 = 4;
+/// The least difference of the whole picture that is to be found before anything else is said, where nothing else is asked for.
+pub const WITHIN: f64 = 0.005;
 
 /// Why nothing was judged.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -59,44 +53,33 @@ pub enum JudgeError {
 pub struct Plan {
     /// Samples a pixel of each film; `None` chooses a power of two by the time.
     pub spp: Option<u32>,
-    /// Wall clock, after warm-up; `None` is no limit where there is one to the films, else half a minute.
+    /// The scene's film is as it is to be, and no smaller one will do.
+    pub whole: bool,
+    /// From when the time counts.
+    pub begin: Instant,
+    /// Wall clock, compiling included; `None` is no limit where there is one to the films, else half a minute.
     pub seconds: Option<f64>,
     /// Films of each, at most; `None` is no limit.
     pub films: Option<u32>,
     /// Probability that equal means are called different, over the whole run.
     pub alpha: f64,
+    /// The least difference of the whole picture that is to be found before anything is said of efficiency, relative.
+    pub within: f64,
     /// Other seeds give other films.
     pub seed: u32,
 }
 
-/// One estimator.
-struct Side {
-    stage: Stage,
-    /// Samples that were no numbers, over all films.
-    bad_samples: u64,
-}
-
-/// Mean radiance of a film's pixels, and what it took.
-struct Shot {
-    radiance: Vec<[f32; 3]>,
-    /// Of its batches, from submission to end.
-    seconds: f64,
-}
-
-impl Side {
-    /// Traces a film from its first sample to its last.
-    fn film(&mut self, seed: u32, spp: u32, stop: &AtomicBool) -> Result<Shot, JudgeError> {
-        let before = self.stage.report()?.seconds_trace;
-        self.stage.set(Render { seed, spp, ..self.stage.render });
-        while !self.stage.step()?.finished {
-            if stop.load(Ordering::Relaxed) {
-                return Err(JudgeError::Stopped);
-            }
-        }
-        let report = self.stage.report()?;
-        self.bad_samples += report.bad_samples;
-        Ok(Shot { radiance: self.stage.radiance()?, seconds: report.seconds_trace - before })
-    }
+/// What the next films are for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    /// To compile, and to learn what a sample costs.
+    WarmUp,
+    /// The smallest ones: what is badly wrong shows in no time.
+    Scout,
+    /// Larger ones, to learn what they cost.
+    Grow,
+    /// To be judged.
+    Judge,
 }
 
 /// Judges the new shaders by the old ones.
@@ -107,56 +90,41 @@ pub struct Judge {
     /// The old one first.
     sides: [Side; 2],
     plan: Plan,
+    clock: Clock,
     changed: bool,
-    /// Pixels of the picture.
-    size: UVec2,
-    /// Samples a pixel of a film; 0 before warm-up.
-    spp: u32,
-    /// Of the pixels' squared errors, by a pilot film of each: what counts is independent of them.
-    weights: Vec<[f32; 3]>,
-    test: MeansTest,
-    trials: Vec<Trial>,
-    /// Films of each, summed; the old one first.
-    sums: [Vec<[f32; 3]>; 2],
+    /// From the smallest to that of the scene, and which of them is traced.
+    films: Vec<Film>,
+    level: usize,
+    stage: Stage,
+    /// What is compared now.
+    series: Series,
     next_look: usize,
-    begin: Instant,
     /// Films begun so far, of both: each has a seed of its own.
-    films: u32,
-    stop: Arc<AtomicBool>,
+    begun: u32,
 }
 
 impl Judge {
     /// Opens the scene twice, by the old and by the new shaders, and compares their code. The old ones are compiled for that:
-    /// which code a scene runs is known once it is packed.
+    /// which code a scene runs is known once it is packed. `stop` makes all that follows give up, with [`JudgeError::Stopped`].
     pub fn open(
         gpu: &Arc<Gpu>,
         [old, new]: [&Library; 2],
         description: &SceneDescription,
         plan: Plan,
+        stop: Arc<AtomicBool>,
     ) -> Result<Self, JudgeError> {
-        let side =
-            |library| Ok::<_, EngineError>(Side { stage: Stage::open(gpu, library, description)?, bad_samples: 0 });
-        let mut sides = [side(old)?, side(new)?];
-        let stop = Arc::new(AtomicBool::new(false));
-        sides[0].film(plan.seed, 1, &stop)?;
-        let changed = is_changed(old, new, &sides[0].stage.features())?;
-        let size = description.film.window().size();
-        let test = MeansTest::new(Grid::new(size, block_side(size)), plan.alpha);
-        Ok(Self {
-            sides,
-            plan,
-            changed,
-            size,
-            spp: 0,
-            weights: Vec::new(),
-            test,
-            trials: Vec::new(),
-            sums: [Vec::new(), Vec::new()],
-            next_look: FIRST_LOOK,
-            begin: Instant::now(),
-            films: 1,
-            stop,
-        })
+        let mut sides = [Side::open(gpu, old, description)?, Side::open(gpu, new, description)?];
+        let films = halved(description.film);
+        // What is compiled first is to be compiled whatever the time is.
+        let untimed = Clock::new(plan.begin, None, stop.clone());
+        sides[0].film(films[0], plan.seed, 1, &untimed)?;
+        let changed = is_changed(old, new, &sides[0].features())?;
+        let seconds = plan.seconds.or(plan.films.is_none().then_some(SECONDS));
+        let clock = Clock::new(plan.begin, seconds, stop);
+        let black = vec![[0.0; 3]; pixels(&films[0]) as usize];
+        let series = Series::new(films[0], 1, &[black.clone(), black], plan.alpha);
+        let (level, stage, next_look, begun) = (0, Stage::WarmUp, FIRST_LOOK, 1);
+        Ok(Self { sides, plan, clock, changed, films, level, stage, series, next_look, begun })
     }
 
     /// Whether the scene runs other code by the new shaders, beyond comments and white space.
@@ -164,104 +132,170 @@ impl Judge {
         self.changed
     }
 
-    /// Samples a pixel of a film; 0 before warm-up.
+    /// The film that is traced now: the scene's, or a smaller one.
+    pub fn film(&self) -> Film {
+        self.series.film
+    }
+
+    /// Samples a pixel of a film.
     pub fn spp(&self) -> u32 {
-        self.spp
+        self.series.spp
     }
 
-    /// Samples of all pixels of a film of each.
-    pub fn samples(&self) -> u64 {
-        2 * u64::from(self.spp) * u64::from(self.size.x) * u64::from(self.size.y)
+    /// Films of each that are compared so far.
+    pub fn films(&self) -> usize {
+        self.series.films()
     }
 
-    /// Compiles, warms the device up and chooses the samples of a film. [`advance`](Self::advance) begins with it; who wants
-    /// to show that apart calls it before.
-    pub fn warm_up(&mut self) -> Result<(), JudgeError> {
-        let timed = self.shoot(0, TRIAL_SPP)?.seconds;
-        let fit = self.plan.seconds.unwrap_or(SECONDS) / (2.0 * FILMS) * f64::from(TRIAL_SPP) / timed.max(1e-9);
-        let spp = self.plan.spp.unwrap_or_else(|| 1 << fit.log2().floor().clamp(1.0, 10.0) as u32);
-        let [old, new] = [0, 1].map(|which| self.shoot(which, spp.saturating_mul(PILOT)));
-        self.weights = weights(&old?.radiance, &new?.radiance);
-        self.sums = [0, 1].map(|_| vec![[0.0; 3]; self.weights.len()]);
-        self.sides.iter_mut().for_each(|side| side.bad_samples = 0);
-        (self.begin, self.spp) = (Instant::now(), spp);
-        Ok(())
+    /// Seconds until the time is over; `None` where films alone end it.
+    pub fn seconds_left(&self) -> Option<f64> {
+        self.clock.left()
     }
 
     /// Traces two more films of each, and looks at all there are if it is time to.
     pub fn advance(&mut self) -> Result<Option<Look>, JudgeError> {
-        if self.spp == 0 {
-            self.warm_up()?;
+        if self.stage == Stage::WarmUp {
+            return self.warm_up();
         }
-        // New, old, old, new: a drift of the clock is the same for both.
-        let first = self.shoot(1, self.spp)?;
-        let [old, other] = [self.shoot(0, self.spp)?, self.shoot(0, self.spp)?];
-        let last = self.shoot(1, self.spp)?;
-        self.test.add(&old.radiance, &first.radiance);
-        self.test.add(&other.radiance, &last.radiance);
-        let error = |x: &Shot, y: &Shot| pair_error(&x.radiance, &y.radiance, &self.weights);
-        self.trials.push(Trial {
-            relmse: [error(&old, &other), error(&first, &last)],
-            seconds: [0.5 * (old.seconds + other.seconds), 0.5 * (first.seconds + last.seconds)],
-        });
-        for (which, film) in [(0, &old), (0, &other), (1, &first), (1, &last)] {
-            let sums = self.sums[which].as_flattened_mut().iter_mut();
-            sums.zip(film.radiance.as_flattened()).for_each(|(sum, value)| *sum += value);
+        if self.stage == Stage::Scout && self.series.tells() {
+            self.settle();
         }
-        let due = self.limit_reached().is_some() || 2 * self.trials.len() >= self.next_look;
-        Ok(due.then(|| self.look()))
+        let begin = Instant::now();
+        let Some(round) = self.round()? else { return Ok(Some(self.look())) };
+        self.series.add(&round);
+        self.series.seconds += begin.elapsed().as_secs_f64();
+        let due = match self.stage {
+            Stage::Grow => {
+                self.settle();
+                false
+            }
+            Stage::Scout => self.series.tells(),
+            Stage::WarmUp | Stage::Judge => self.series.films() >= self.next_look,
+        };
+        Ok((due || self.limit_reached().is_some()).then(|| self.look()))
     }
 
     /// Looks at all films there are. Each look spends part of alpha.
     pub fn look(&mut self) -> Look {
-        let films = 2 * self.trials.len();
+        let films = self.series.films();
         while self.next_look <= films {
             self.next_look *= 2;
         }
-        let means = self.test.look();
-        let ratio = Ratio::of(&self.trials);
-        let narrow = films >= LEAST_FILMS && ratio.is_some_and(|ratio| ratio.spread() <= NARROW);
-        let ended = match means.differ() {
+        let means = self.series.look();
+        let ratio = self.series.ratio();
+        let mut look = Look {
+            films,
+            spp: self.series.spp,
+            size: self.size(),
+            within: self.plan.within,
+            verdict: Verdict::of(&means, self.plan.within, ratio, self.series.estimators()),
+            means,
+            bad_samples: self.sides.each_ref().map(|side| side.bad_samples),
+            seconds: [self.clock.elapsed(), self.series.seconds],
+            ended: None,
+        };
+        let narrow = films >= LEAST_FILMS && ratio.is_none_or(|ratio| ratio.spread() <= NARROW);
+        look.ended = match look.means.differ() {
             true => Some(End::Differ),
-            false if narrow => Some(End::Narrow),
+            false if self.stage == Stage::Judge && narrow && look.is_fine() => Some(End::Narrow),
             false => self.limit_reached(),
         };
-        let estimator = |which: usize| {
-            let (relmse, seconds) = averages(&self.trials, which);
-            Estimator { relmse, seconds, bad_samples: self.sides[which].bad_samples }
-        };
-        Look { films, spp: self.spp, means, ratio, old: estimator(0), new: estimator(1), ended }
+        look
     }
 
-    /// Mean radiance of all films by the old and by the new shaders, row by row from the top of the window.
+    /// Mean radiance of all films by the old and by the new shaders, row by row from the top of the film's window.
     pub fn pictures(&self) -> [Vec<[f32; 3]>; 2] {
-        let films = (2 * self.trials.len()).max(1) as f32;
-        self.sums.each_ref().map(|sums| sums.iter().map(|sum| sum.map(|channel| channel / films)).collect())
+        self.series.pictures()
     }
 
-    /// Gives up, with [`JudgeError::Stopped`], as soon as this is set.
-    pub fn stop_by(&mut self, stop: Arc<AtomicBool>) {
-        self.stop = stop;
+    fn size(&self) -> UVec2 {
+        self.series.film.window().size()
     }
 
     fn limit_reached(&self) -> Option<End> {
-        let films = 2 * self.trials.len();
-        let seconds = self.plan.seconds.or(self.plan.films.is_none().then_some(SECONDS));
-        match films {
-            // From fewer films no interval can be told.
-            _ if films < FIRST_LOOK => None,
-            _ if self.plan.films.is_some_and(|most| films >= most as usize) => Some(End::Films),
-            _ if seconds.is_some_and(|most| self.begin.elapsed().as_secs_f64() >= most) => Some(End::Time),
+        let most = self.plan.films.filter(|_| self.stage == Stage::Judge);
+        match self.clock.left() {
+            Some(0.0) => Some(End::Time),
+            _ if most.is_some_and(|most| self.series.films() >= most as usize) => Some(End::Films),
             _ => None,
         }
     }
 
+    /// Compiles the new shaders too, and traces a film of each to learn what a sample costs.
+    fn warm_up(&mut self) -> Result<Option<Look>, JudgeError> {
+        let film = self.films[0];
+        // The first of them compiles.
+        let (Some(_), Some(old)) = (self.shoot(1, film, 1)?, self.shoot(0, film, 1)?) else {
+            return Ok(Some(self.look()));
+        };
+        let begin = Instant::now();
+        let Some(new) = self.shoot(1, film, 1)? else { return Ok(Some(self.look())) };
+        self.sides.iter_mut().for_each(|side| side.bad_samples = 0);
+        let cost = begin.elapsed().as_secs_f64() / pixels(&film) as f64;
+        let pilot = [old.radiance, new.radiance];
+        self.series = Series::new(film, 1, &pilot, self.plan.alpha);
+        self.stage = Stage::Scout;
+        if self.plan.whole {
+            self.choose(cost, pilot);
+        }
+        Ok(None)
+    }
+
+    /// Goes on from what was traced by now to what the time is enough for.
+    fn settle(&mut self) {
+        self.choose(self.series.cost(), self.series.pictures());
+    }
+
+    /// Larger films while enough of them fit, then as many samples as fit. `cost` is what a sample of a pixel takes, and `pilot` a picture by each.
+    fn choose(&mut self, cost: f64, pilot: [Vec<[f32; 3]>; 2]) {
+        let seconds = self.clock.left().unwrap_or(SECONDS);
+        let last = self.films.len() - 1;
+        let next = (self.level + 1).min(last);
+        let first_spp = self.plan.spp.unwrap_or(FIRST_SPP);
+        let grows = match self.plan.whole {
+            true => is_cheap(&self.films[next], first_spp, cost, seconds),
+            false => fits(&self.films[next], first_spp, cost, seconds),
+        };
+        if self.level < last && grows {
+            return self.begin(Stage::Grow, next, first_spp, pilot);
+        }
+        let level = if self.plan.whole { last } else { self.level };
+        let spp = self.plan.spp.unwrap_or_else(|| spp(&self.films[level], cost, seconds));
+        // The scout's films count on where they are as they are to be.
+        if self.stage == Stage::Scout && (level, spp) == (self.level, self.series.spp) {
+            self.stage = Stage::Judge;
+            return;
+        }
+        self.begin(Stage::Judge, level, spp, pilot);
+    }
+
+    /// Begins films of another kind, with what is left of alpha.
+    fn begin(&mut self, stage: Stage, level: usize, spp: u32, pilot: [Vec<[f32; 3]>; 2]) {
+        let film = self.films[level];
+        let (from, to) = (self.size(), film.window().size());
+        let pilot = pilot.map(|picture| resized(&picture, from, to));
+        self.series = Series::new(film, spp, &pilot, self.series.alpha_left());
+        (self.stage, self.level, self.next_look) = (stage, level, FIRST_LOOK);
+    }
+
+    /// New, old, old, new: a drift of the clock is the same for both. `None` if the time is over before that.
+    fn round(&mut self) -> Result<Option<Round>, JudgeError> {
+        let (film, spp) = (self.series.film, self.series.spp);
+        let mut shots = Vec::with_capacity(4);
+        for which in [1, 0, 0, 1] {
+            let Some(shot) = self.shoot(which, film, spp)? else { return Ok(None) };
+            shots.push(shot);
+        }
+        let Ok([first, old, other, last]) = <[Shot; 4]>::try_from(shots) else { return Ok(None) };
+        Ok(Some(Round { old: [old, other], new: [first, last] }))
+    }
+
     /// A film of a seed that no other film of either has.
-    fn shoot(&mut self, which: usize, spp: u32) -> Result<Shot, JudgeError> {
+    fn shoot(&mut self, which: usize, film: Film, spp: u32) -> Result<Option<Shot>, JudgeError> {
         // An odd factor: all multiples modulo 2^32 differ.
-        let seed = self.plan.seed.wrapping_add(self.films.wrapping_mul(0x9e37_79b9));
-        self.films = self.films.wrapping_add(1);
-        self.sides[which].film(seed, spp, &self.stop)
+        let seed = self.plan.seed.wrapping_add(self.begun.wrapping_mul(0x9e37_79b9));
+        self.begun = self.begun.wrapping_add(1);
+        self.sides[which].film(film, seed, spp, &self.clock)
     }
 }
 

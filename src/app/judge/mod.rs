@@ -1,21 +1,27 @@
 //! `lucerna judge`: whether an edit of the shaders made the estimator better, worse or wrong.
 
 mod arguments;
+mod clock;
 mod core;
 mod look;
 mod mark;
 mod report;
+mod series;
+mod side;
+pub mod sizing;
 
-pub use self::core::{Judge, JudgeError, Plan, SECONDS};
+pub use self::core::{Judge, JudgeError, Plan, SECONDS, WITHIN};
 pub use arguments::JudgeArguments;
-pub use look::{End, Estimator, Look};
+pub use look::{End, Look, Unknown, Verdict};
 pub use mark::marked;
+pub use series::Estimator;
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use super::failure::show;
 use super::interrupt::Interrupt;
-use super::progress::{Goal, Meter};
+use super::progress::{Goal, Meter, clock};
 use super::scene::choose_camera;
 use super::{Exit, Failure, output};
 use crate::gpu::Gpu;
@@ -29,34 +35,38 @@ pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 
 /// Judges until all is clear or the time is over, and tells.
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
+    let begin = Instant::now();
     let interrupt = Interrupt::listen();
     let (path, description) = describe(arguments)?;
     let (mut outputs, prepared) = output::prepare(&arguments.output)?;
     let old = arguments.old.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open)?;
     let new = Library::open(&arguments.new)?;
     let gpu = Gpu::open()?;
-    let mut judge = Judge::open(&gpu, [&old, &new], &description, arguments.plan())?;
+    let mut judge = match Judge::open(&gpu, [&old, &new], &description, arguments.plan(begin), interrupt.flag()) {
+        Err(JudgeError::Stopped) => return Ok(Exit::Interrupted),
+        judge => judge?,
+    };
     if !judge.changed() && !arguments.force {
         output::print(&report::unchanged(UNCHANGED, arguments.json))?;
         return Ok(Exit::Done);
     }
-    judge.stop_by(interrupt.flag());
-    match judge.warm_up() {
-        Err(JudgeError::Stopped) => return Ok(Exit::Interrupted),
-        warm => warm?,
-    }
-    let look = watch(&mut judge, arguments, &interrupt)?;
-    let interrupted = look.ended.is_none();
-    let changed = judge.changed();
-    let adapter = gpu.name();
-    let account = Account { arguments, path: &path, description: &description, adapter, changed, look: &look };
+    let look = watch(&mut judge, arguments)?;
+    let account = Account {
+        arguments,
+        path: &path,
+        scene: &description.name,
+        film: judge.film(),
+        adapter: gpu.name(),
+        changed: judge.changed(),
+        look: &look,
+    };
     let saved = tell(&account, &judge.pictures()[1], &mut outputs)?;
-    Ok(match (look.means.differ(), interrupted, look.tells()) {
+    Ok(match (&look.verdict, look.ended) {
+        (Verdict::Differ, _) => Exit::MeansDiffer,
         _ if !(saved && prepared) => Exit::Failed,
-        (true, ..) => Exit::MeansDiffer,
-        (_, true, _) => Exit::Interrupted,
-        (.., false) => Exit::Failed,
-        (.., true) => Exit::Done,
+        (_, None) => Exit::Interrupted,
+        (Verdict::CannotTell(_), _) => Exit::CannotTell,
+        (Verdict::Agree(_), _) => Exit::Done,
     })
 }
 
@@ -80,37 +90,32 @@ fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, SceneDescription), F
 }
 
 /// Traces until a look ends it, or a signal does.
-fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -> Result<Look, Failure> {
-    let samples = arguments.films.map(|films| judge.samples().saturating_mul(u64::from(films)));
-    let seconds = arguments.time.or(samples.is_none().then_some(SECONDS));
-    let goal = Goal { samples, seconds };
+fn watch(judge: &mut Judge, arguments: &JudgeArguments) -> Result<Look, Failure> {
+    let goal = Goal { samples: arguments.films.map(u64::from), seconds: judge.seconds_left() };
     let mut meter = Meter::new("judge", goal, arguments.quiet);
-    let mut spp = 0u32;
-    loop {
-        let look = match judge.advance() {
-            Err(JudgeError::Stopped) => None,
-            look => look?,
+    let look = loop {
+        match judge.advance() {
+            Err(JudgeError::Stopped) => break judge.look(),
+            Ok(Some(look)) if look.ended.is_some() => break look,
+            step => step?,
         };
-        spp = spp.saturating_add(judge.spp().saturating_mul(2));
-        meter.advance(2 * judge.samples(), spp);
-        match (look, interrupt.asked()) {
-            (Some(look), _) if look.ended.is_some() => {
-                meter.finish();
-                return Ok(look);
-            }
-            (_, true) => {
-                meter.finish();
-                return Ok(judge.look());
-            }
-            _ => {}
-        }
-    }
+        meter.show(judge.films() as u64, &standing(judge));
+    };
+    meter.finish();
+    Ok(look)
+}
+
+/// What goes on, for a person who waits.
+pub fn standing(judge: &Judge) -> String {
+    let (films, size, spp) = (judge.films(), judge.film().window().size(), judge.spp());
+    let left = judge.seconds_left().map_or(String::new(), |left| format!(", {} left", clock(left)));
+    format!("{films} films of {spp} spp each at {}x{}{left}", size.x, size.y)
 }
 
 /// Writes the files, then says what was found; whether all files were written.
 fn tell(account: &Account, radiance: &[[f32; 3]], outputs: &mut Outputs) -> Result<bool, Failure> {
     let arguments = account.arguments;
-    let film = &account.description.film;
+    let film = &account.film;
     let window = film.window();
     let display = marked(radiance, window.size(), f64::from(film.exposure).exp2(), &account.look.means);
     let metadata = account.metadata();

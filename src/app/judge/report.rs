@@ -6,16 +6,21 @@ use serde_json::{Value, json};
 
 use super::arguments::JudgeArguments;
 use super::folder;
-use super::look::{End, Estimator, Look};
+use super::look::{End, Look, Unknown, Verdict};
+use super::series::Estimator;
+use crate::components::Film;
 use crate::cpu::equal_means::Difference;
-use crate::scene::SceneDescription;
+use crate::cpu::sign_flips::MISSED;
 
 /// All there is to say.
 pub struct Account<'a> {
     pub arguments: &'a JudgeArguments,
     /// The scene file.
     pub path: &'a Path,
-    pub description: &'a SceneDescription,
+    /// Its name.
+    pub scene: &'a str,
+    /// As it was traced last.
+    pub film: Film,
     pub adapter: String,
     /// Whether the scene runs other code than before.
     pub changed: bool,
@@ -33,18 +38,26 @@ pub fn unchanged(text: &str, json: bool) -> String {
 impl Account<'_> {
     pub fn json(&self, outputs: &[String]) -> Value {
         let (look, means) = (self.look, &self.look.means);
-        let size = self.description.film.window().size();
+        let agreement = match &look.verdict {
+            Verdict::Agree(agreement) => Some(agreement),
+            Verdict::Differ | Verdict::CannotTell(_) => None,
+        };
+        let estimator = |which: usize| {
+            let known = agreement.map(|agreement| agreement.estimators()[which]);
+            estimator(known, look.bad_samples[which])
+        };
         json!({
             "version": env!("CARGO_PKG_VERSION"),
-            "scene": self.description.name,
+            "scene": self.scene,
             "scene_file": self.path.display().to_string(),
             "adapter": self.adapter,
             "old_shaders": folder(self.arguments.old.as_deref()),
             "new_shaders": folder(Some(&self.arguments.new)),
-            "size": size.to_array(),
+            "size": look.size.to_array(),
             "seed": self.arguments.seed,
             "spp": look.spp,
             "films": look.films,
+            "seconds": look.seconds[0],
             "changed": self.changed,
             "verdict": look.line(),
             "ended": look.ended.map_or("interrupted", |end| match end {
@@ -53,16 +66,22 @@ impl Account<'_> {
                 End::Time => "time is over",
                 End::Films => "all films are traced",
             }),
-            // Null where films have no noise.
-            "efficiency": look.ratio.map(|ratio| json!({ "ratio": ratio.ratio, "low": ratio.low, "high": ratio.high })),
-            "old": estimator(&look.old),
-            "new": estimator(&look.new),
+            // Null where means differ or can't be told, and where films have no noise.
+            "efficiency": agreement.and_then(|agreement| agreement.ratio()).map(|ratio| {
+                json!({ "ratio": ratio.ratio, "low": ratio.low, "high": ratio.high })
+            }),
+            "old": estimator(0),
+            "new": estimator(1),
             "means": {
-                // With too few films nothing is told, and nothing differs.
-                "told": look.tells(),
+                "told": !matches!(look.verdict, Verdict::CannotTell(_)),
                 "differ": means.differ(),
                 "alpha": self.arguments.alpha,
                 "alpha_of_look": means.spent,
+                // The least difference of the whole picture that would have been found, with this probability.
+                "least_found": means.least_found,
+                "probability": 1.0 - MISSED,
+                "within": look.within,
+                "seconds_to_within": look.seconds_to_find(look.within),
                 "whole": difference(&means.whole),
                 "blocks": means.blocks.len(),
                 "differing": means.differing().map(difference).collect::<Vec<_>>(),
@@ -73,20 +92,26 @@ impl Account<'_> {
 
     /// The verdict, and what it rests on.
     pub fn text(&self, outputs: &[String]) -> String {
-        let (look, size) = (self.look, self.description.film.window().size());
+        let (look, size) = (self.look, self.look.size);
         let mut text = format!(
-            "{}\n  {}: {} films of each by turns, {} spp, {}x{}\n  a film's relMSE {:.2e} -> {:.2e}, its time {:.1} -> {:.1} ms\n",
+            "{}\n  {}: {} films of each by turns, {} spp, {}x{}\n",
             look.line(),
-            self.description.name,
+            self.scene,
             look.films,
             look.spp,
             size.x,
             size.y,
-            look.old.relmse,
-            look.new.relmse,
-            1e3 * look.old.seconds,
-            1e3 * look.new.seconds,
         );
+        if let Verdict::Agree(agreement) = &look.verdict {
+            let [old, new] = agreement.estimators();
+            text += &format!(
+                "  a film's relMSE {:.2e} -> {:.2e}, its time {:.1} -> {:.1} ms\n",
+                old.relmse,
+                new.relmse,
+                1e3 * old.seconds,
+                1e3 * new.seconds,
+            );
+        }
         for output in outputs {
             text += &format!("  {output}\n");
         }
@@ -95,15 +120,29 @@ impl Account<'_> {
 
     /// What was left out of the films, and what to do about too few of them.
     pub fn warnings(&self) -> Vec<String> {
-        let named = [("old", &self.look.old), ("new", &self.look.new)];
-        let bad = named.into_iter().filter(|(_, estimator)| estimator.bad_samples > 0);
-        let line = |(name, estimator): (&str, &Estimator)| {
-            let count = estimator.bad_samples;
+        let named = ["old", "new"].into_iter().zip(self.look.bad_samples);
+        let bad = named.filter(|(_, count)| *count > 0).map(|(name, count)| {
             format!("warning: {count} samples of the {name} one were no numbers, or too large, and were left out")
+        });
+        bad.chain(self.help()).collect()
+    }
+
+    fn help(&self) -> Option<String> {
+        let longer = match self.look.ended {
+            Some(End::Films) => "more --films",
+            _ => "more --time",
         };
-        let few = (!self.look.tells())
-            .then(|| "help: give more --time or --films, a smaller --size or fewer --spp".to_owned());
-        bad.map(line).chain(few).collect()
+        match &self.look.verdict {
+            Verdict::CannotTell(Unknown::TooFew) => {
+                Some(format!("help: give {longer}, a smaller --size or fewer --spp"))
+            }
+            Verdict::CannotTell(Unknown::Coarse) => Some(format!(
+                "help: give {longer}, or have efficiency told by a weaker test with a larger --within PERCENT (now {})",
+                100.0 * self.look.within
+            )),
+            Verdict::CannotTell(Unknown::Black) => Some("help: give a --camera that sees light".to_owned()),
+            Verdict::Differ | Verdict::Agree(_) => None,
+        }
     }
 
     /// For the files.
@@ -118,13 +157,17 @@ impl Account<'_> {
     }
 }
 
-fn estimator(estimator: &Estimator) -> Value {
-    json!({ "relmse": estimator.relmse, "seconds": estimator.seconds, "bad_samples": estimator.bad_samples })
+/// Its numbers are null where nothing is to be said of efficiency.
+fn estimator(known: Option<Estimator>, bad_samples: u64) -> Value {
+    let (relmse, seconds) = known.map(|known| (known.relmse, known.seconds)).unzip();
+    json!({ "relmse": relmse, "seconds": seconds, "bad_samples": bad_samples })
 }
 
 fn difference(at: &Difference) -> Value {
+    let channel = ["red", "green", "blue"][at.channel];
     json!({
         "block": [at.min.x, at.max.x, at.min.y, at.max.y],
+        "channel": channel,
         "old": at.old,
         "difference": at.difference,
         "standard_error": at.standard_error,

@@ -4,20 +4,26 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 
 use glam::UVec2;
 use winit::event_loop::EventLoopProxy;
 
 use super::session::Session;
 use crate::app::failure::rendered;
-use crate::app::judge::{Judge, JudgeError, Look, Plan, SECONDS, UNCHANGED, marked};
+use crate::app::judge::{Judge, JudgeError, Look, Plan, SECONDS, UNCHANGED, WITHIN, marked, standing};
 use crate::app::output;
 use crate::gpu::Gpu;
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
 
+/// Between two lines about how far it is: each has the window drawn.
+const TELL: Duration = Duration::from_millis(500);
+
 /// What the thread tells.
 enum Word {
+    /// How far it is.
+    Standing(String),
     /// A look, and the mean radiance of the films so far, the old shaders' first.
     Look(Box<Look>, [Vec<[f32; 3]>; 2]),
     Unchanged,
@@ -29,13 +35,13 @@ pub struct Judging {
     words: Receiver<Word>,
     stop: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
-    /// Pixels of the pictures.
-    size: UVec2,
     /// By which radiance is multiplied to be shown.
     scale: f64,
     /// Nothing more will come.
     over: bool,
-    /// What was found so far, in one line.
+    /// What the last look has found.
+    found: Option<String>,
+    /// How far it is, and what was found so far.
     pub line: String,
     /// Half and half: the left of the old picture, the right of the new one, with the differing blocks marked.
     pub split: Option<(UVec2, Vec<[u8; 4]>)>,
@@ -46,7 +52,7 @@ impl Judging {
     fn start(gpu: Arc<Gpu>, sides: [Library; 2], scene: SceneDescription, wake: EventLoopProxy<()>) -> Self {
         let stop = Arc::new(AtomicBool::new(false));
         let (sender, words) = channel();
-        let (film, told) = (scene.film, stop.clone());
+        let (exposure, told) = (scene.film.exposure, stop.clone());
         let thread = std::thread::spawn(move || {
             if let Err(error) = judge(&gpu, &sides, &scene, &told, &sender, &wake) {
                 let _ = sender.send(Word::Failed(error));
@@ -57,9 +63,9 @@ impl Judging {
             words,
             stop,
             thread: Some(thread),
-            size: film.window().size(),
-            scale: f64::from(film.exposure).exp2(),
+            scale: f64::from(exposure).exp2(),
             over: false,
+            found: None,
             line: "judging: compiling both".to_owned(),
             split: None,
         }
@@ -75,11 +81,20 @@ impl Judging {
         let words: Vec<Word> = self.words.try_iter().collect();
         for word in &words {
             match word {
+                Word::Standing(standing) => {
+                    let found = self.found.as_deref().unwrap_or("nothing can be told yet");
+                    self.line = format!("judging: {standing}; {found}");
+                }
                 Word::Look(look, pictures) => {
                     self.over = look.ended.is_some();
                     let state = if self.over { "judged" } else { "judging" };
-                    self.line = format!("{state}: {} ({} films of {} spp each)", look.line(), look.films, look.spp);
-                    self.split = Some((self.size, self.split_picture(look, pictures)));
+                    let (found, size) = (look.line(), look.size);
+                    self.line = format!(
+                        "{state}: {found} ({} films of {} spp each at {}x{})",
+                        look.films, look.spp, size.x, size.y
+                    );
+                    self.found = Some(found);
+                    self.split = Some((size, self.split_picture(look, pictures)));
                 }
                 Word::Unchanged => (self.over, self.line) = (true, format!("judged: {UNCHANGED}")),
                 Word::Failed(error) => (self.over, self.line) = (true, rendered(error, false)),
@@ -89,8 +104,8 @@ impl Judging {
     }
 
     fn split_picture(&self, look: &Look, [old, new]: &[Vec<[f32; 3]>; 2]) -> Vec<[u8; 4]> {
-        let [old, new] = [old, new].map(|picture| marked(picture, self.size, self.scale, &look.means));
-        let width = self.size.x.max(1) as usize;
+        let [old, new] = [old, new].map(|picture| marked(picture, look.size, self.scale, &look.means));
+        let width = look.size.x.max(1) as usize;
         let pixels = old.into_iter().zip(new).enumerate();
         pixels.map(|(i, (old, new))| if 2 * (i % width) < width { old } else { new }).collect()
     }
@@ -134,24 +149,38 @@ fn judge(
     words: &Sender<Word>,
     wake: &EventLoopProxy<()>,
 ) -> Result<(), JudgeError> {
-    let plan = Plan { spp: None, seconds: Some(SECONDS), films: None, alpha: 1e-3, seed: scene.render.seed };
-    let mut judge = Judge::open(gpu, [old, new], scene, plan)?;
-    judge.stop_by(stop.clone());
+    let plan = Plan {
+        spp: None,
+        whole: false,
+        begin: Instant::now(),
+        seconds: Some(SECONDS),
+        films: None,
+        alpha: 1e-3,
+        within: WITHIN,
+        seed: scene.render.seed,
+    };
+    let mut judge = Judge::open(gpu, [old, new], scene, plan, stop.clone())?;
     if !judge.changed() {
         let _ = words.send(Word::Unchanged);
         return Ok(());
     }
-    while !stop.load(Ordering::Relaxed) {
-        let Some(look) = judge.advance()? else { continue };
-        let ended = look.ended.is_some();
+    let mut told = Instant::now();
+    loop {
+        let look = judge.advance()?;
+        let ended = look.as_ref().is_some_and(|look| look.ended.is_some());
+        let word = match look {
+            Some(look) => Word::Look(Box::new(look), judge.pictures()),
+            None if told.elapsed() >= TELL => Word::Standing(standing(&judge)),
+            None => continue,
+        };
+        told = Instant::now();
         // A window that has gone takes nothing.
-        let taken = words.send(Word::Look(Box::new(look), judge.pictures())).is_ok();
+        let taken = words.send(word).is_ok();
         if ended || !taken {
-            break;
+            return Ok(());
         }
         let _ = wake.send_event(());
     }
-    Ok(())
 }
 
 impl Session {

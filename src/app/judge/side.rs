@@ -1,0 +1,52 @@
+//! One estimator: an engine of its own, that traces a film whenever it is asked for one.
+
+use std::sync::Arc;
+
+use super::JudgeError;
+use super::clock::Clock;
+use crate::app::stage::Stage;
+use crate::components::{Film, Render};
+use crate::gpu::Gpu;
+use crate::scene::SceneDescription;
+use crate::shader::{Features, Library};
+use crate::systems::EngineError;
+
+pub struct Side {
+    stage: Stage,
+    /// Samples that were no numbers, over all films.
+    pub bad_samples: u64,
+}
+
+/// Mean radiance of a film's pixels, and what it took.
+pub struct Shot {
+    pub radiance: Vec<[f32; 3]>,
+    /// Of its batches, from submission to end.
+    pub seconds: f64,
+}
+
+impl Side {
+    /// Opens a scene. Nothing is compiled yet.
+    pub fn open(gpu: &Arc<Gpu>, library: &Library, description: &SceneDescription) -> Result<Self, EngineError> {
+        Ok(Self { stage: Stage::open(gpu, library, description)?, bad_samples: 0 })
+    }
+
+    /// Traces a film from its first sample to its last; `None` if the time is over before that.
+    pub fn film(&mut self, film: Film, seed: u32, spp: u32, clock: &Clock) -> Result<Option<Shot>, JudgeError> {
+        let before = self.stage.report()?.seconds_trace;
+        self.stage.set(Render { seed, spp, ..self.stage.render });
+        self.stage.set_film(film);
+        while !self.stage.step()?.finished {
+            if clock.is_over()? {
+                return Ok(None);
+            }
+        }
+        let report = self.stage.report()?;
+        self.bad_samples += report.bad_samples;
+        Ok(Some(Shot { radiance: self.stage.radiance()?, seconds: report.seconds_trace - before }))
+    }
+
+    /// Shader features of the scene, once a film was traced.
+    pub fn features(&mut self) -> Features {
+        self.stage.features()
+    }
+}

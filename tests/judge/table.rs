@@ -1,0 +1,182 @@
+//! Edits of shaders, wrong ones and right ones, of what the Cornell box runs.
+
+use std::path::Path;
+
+use tempfile::TempDir;
+
+/// A text that is replaced wherever it stands in a module: in so many places.
+pub struct Change<'a> {
+    pub module: &'a str,
+    pub text: &'a str,
+    pub replacement: &'a str,
+    pub places: usize,
+}
+
+pub struct Edit {
+    pub name: &'static str,
+    /// So wrong that the first films show it.
+    pub gross: bool,
+    pub changes: &'static [Change<'static>],
+}
+
+/// Copies the shaders, and edits the copies.
+pub fn edited_all(changes: &[Change]) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    crate::reload::copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders"), folder.path());
+    for Change { module, text, replacement, places } in changes {
+        let path = folder.path().join(module).with_extension("wgsl");
+        let before = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(before.matches(text).count(), *places, "`{text}` in {module}");
+        std::fs::write(path, before.replace(text, replacement)).unwrap();
+    }
+    folder
+}
+
+const fn change(module: &'static str, text: &'static str, replacement: &'static str) -> Change<'static> {
+    Change { module, text, replacement, places: 1 }
+}
+
+const fn edit(name: &'static str, changes: &'static [Change<'static>]) -> Edit {
+    Edit { name, gross: false, changes }
+}
+
+const fn gross(name: &'static str, changes: &'static [Change<'static>]) -> Edit {
+    Edit { name, gross: true, changes }
+}
+
+const PATH: &str = "passes/trace/path";
+const CONNECT: &str = "passes/trace/connect";
+const LAMBERT: &str = "lib/bsdf/lambert";
+const PHONG: &str = "lib/bsdf/phong";
+const MIXTURE: &str = "lib/bsdf/mixture";
+const LIGHT: &str = "lib/light";
+const SAMPLING: &str = "lib/sampling";
+const FOUND: &str =
+    "light *= power_heuristic((*state).pdf, light_pdf(params, material, raw, (*state).direction, hit.t));";
+const ASKED: &str = "(power_heuristic(drawn.pdf, at.pdf) / drawn.pdf)";
+const SURVIVAL: &str = "largest_of((*state).throughput) * (*state).eta_scale";
+
+pub const WRONG: &[Edit] = &[
+    gross("half of diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.5 * INV_PI * cos_theta)")]),
+    edit("1 % less diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.99 * INV_PI * cos_theta)")]),
+    edit("half of the light that is asked for", &[change(PATH, "drawn.radiance *", "0.5 * drawn.radiance *")]),
+    edit("1 % more of it", &[change(PATH, "drawn.radiance *", "1.01 * drawn.radiance *")]),
+    edit("no weight of light that is asked for", &[change(PATH, ASKED, "(1.0 / drawn.pdf)")]),
+    edit("no weight of light that is found", &[change(PATH, FOUND, "light *= 1.0;")]),
+    edit("weights that do not add up to 1", &[change(LIGHT, "1.0 + ratio * ratio", "1.0 + 0.5 * ratio * ratio")]),
+    edit("a diffuse pdf of even directions", &[change(LAMBERT, "return INV_PI * cos_theta", "return 0.5 * INV_PI")]),
+    edit("a diffuse pdf 1 % too low", &[change(LAMBERT, "return INV_PI *", "return 0.99 * INV_PI *")]),
+    gross("the wrong side", &[change(PATH, "select(unit, -unit, from_behind)", "select(-unit, unit, from_behind)")]),
+    edit("roulette without its due", &[change(PATH, "(*state).throughput /= survival;", "")]),
+    edit("1 % more after each bounce", &[change(PATH, "/= survival", "/= 0.99 * survival")]),
+    edit("paths of three segments", &[change(PATH, "1u < params.max_depth", "1u < min(3u, params.max_depth)")]),
+    edit("the light's cosine forgotten", &[change(CONNECT, "(t * t / cos_light)", "(t * t)")]),
+    edit("1 % of the distance", &[change(CONNECT, "(t * t / cos_light)", "(1.01 * t * t / cos_light)")]),
+    edit(
+        "even directions with the cosine's pdf",
+        &[change(SAMPLING, "Angle(sqrt(1.0 - u), sqrt(u))", "Angle(1.0 - u, sqrt(u * (2.0 - u)))")],
+    ),
+    edit("half of glossy reflection", &[change(PHONG, "(0.5 * INV_PI * (n + 2.0)", "(0.25 * INV_PI * (n + 2.0)")]),
+    edit("a glossy pdf a fifth too low", &[change(PHONG, "0.5 * INV_PI * (n + 1.0)", "0.4 * INV_PI * (n + 1.0)")]),
+    gross("red and green change places", &[change(LAMBERT, "kd * (INV_PI", "kd.yxz * (INV_PI")]),
+    gross(
+        "the picture mirrored",
+        &[change(
+            "lib/camera",
+            "2.0 * at.x / f32(camera.film_width) - 1.0",
+            "1.0 - 2.0 * at.x / f32(camera.film_width)",
+        )],
+    ),
+];
+
+pub const RIGHT: &[Edit] = &[
+    edit(
+        "even directions with their pdf",
+        &[
+            change(SAMPLING, "Angle(sqrt(1.0 - u), sqrt(u))", "Angle(1.0 - u, sqrt(u * (2.0 - u)))"),
+            change(LAMBERT, "return INV_PI * cos_theta", "return 0.5 * INV_PI"),
+        ],
+    ),
+    edit("the balance heuristic", &[change(LIGHT, "1.0 + ratio * ratio", "1.0 + ratio")]),
+    edit(
+        "weights by the third power",
+        &[change(LIGHT, "1e18", "1e12"), change(LIGHT, "1.0 + ratio * ratio", "1.0 + ratio * ratio * ratio")],
+    ),
+    edit(
+        "independent random numbers",
+        &[Change { module: "lib/rng", text: "sobol)", replacement: "never)", places: 5 }],
+    ),
+    edit("later roulette", &[change(PATH, ">= ROULETTE_BOUNCE", ">= ROULETTE_BOUNCE + 8u")]),
+    edit("earlier roulette", &[change(PATH, ".bounce >= ROULETTE_BOUNCE", ".bounce + 2u >= ROULETTE_BOUNCE")]),
+    edit(
+        "milder roulette",
+        &[change(PATH, SURVIVAL, "0.5 + 0.5 * largest_of((*state).throughput) * (*state).eta_scale")],
+    ),
+    edit("harsher roulette", &[change(PATH, SURVIVAL, "0.5 * largest_of((*state).throughput) * (*state).eta_scale")]),
+    edit("light is found and never asked for", &[change(PATH, FOUND, "light *= 1.0;"), change(PATH, ASKED, "0.0")]),
+    edit(
+        "half of the looks at lights, twice",
+        &[change(
+            PATH,
+            "connect(state, surface, choices.light);",
+            "connect(state, surface, fract(2.0 * choices.light));
+            shaded.connection.light *= select(0.0, 2.0, choices.light < 0.5);",
+        )],
+    ),
+    edit(
+        "a light's points by the numbers swapped",
+        &[change(CONNECT, "light_point(light, u)", "light_point(light, u.yx)")],
+    ),
+    edit("directions by the numbers swapped", &[change(MIXTURE, "cosine_angle(u.x), u.y", "cosine_angle(u.y), u.x")]),
+    edit(
+        "directions from the horizon up",
+        &[change(SAMPLING, "Angle(sqrt(1.0 - u), sqrt(u))", "Angle(sqrt(u), sqrt(1.0 - u))")],
+    ),
+    edit(
+        "the lobe by the other end",
+        &[change(MIXTURE, "pick < m.glossy && is_phong", "pick >= 1.0 - m.glossy && is_phong")],
+    ),
+    edit(
+        "half as many glossy directions",
+        &[
+            change(MIXTURE, "pick < m.glossy && is_phong", "pick < 0.5 * m.glossy && is_phong"),
+            change(MIXTURE, "pdf *= 1.0 - m.glossy", "pdf *= 1.0 - 0.5 * m.glossy"),
+            change(MIXTURE, "m.glossy * phong_pdf", "0.5 * m.glossy * phong_pdf"),
+        ],
+    ),
+    edit("other random numbers", &[change("lib/rng_sobol", "0x536f626fu", "0x536f6270u")]),
+    edit(
+        "a frame of the other hand",
+        &[change(SAMPLING, "frame.t * round.y + frame.b * round.x", "frame.b * round.y + frame.t * round.x")],
+    ),
+    edit("the same, written otherwise", &[change(LAMBERT, "kd * (INV_PI * cos_theta)", "(kd * INV_PI) * cos_theta")]),
+    edit(
+        "lights as often as each other",
+        &[
+            change(
+                CONNECT,
+                "// The density with which draw_light() draws",
+                "@if(lights)
+fn uniform_area_pdf(params: TraceParams, raw: vec3<f32>) -> f32 {
+    return params.light_share / (f32(params.lights) * 0.5 * length(raw));
+}
+
+// The density with which draw_light() draws",
+            ),
+            change(
+                CONNECT,
+                "light_area_pdf(material.emission, sides, params.light_density)",
+                "uniform_area_pdf(params, raw)",
+            ),
+            change(
+                CONNECT,
+                "light_area_pdf(light.emission, light.sides, params.light_density)",
+                "uniform_area_pdf(params, raw)",
+            ),
+        ],
+    ),
+    edit(
+        "the film's points by the numbers swapped",
+        &[change(PATH, "sample_2d(state.key, SLOT_FILM)", "sample_2d(state.key, SLOT_FILM).yx")],
+    ),
+];
