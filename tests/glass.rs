@@ -77,8 +77,8 @@ fn glass_in_a_furnace_is_invisible() {
         room.ball(Vec3::new(0.2, -0.3, -0.5), 0.4, shell);
         let got = traced(&room, &TraceParams { layers: 4, ..inside(&room, UVec2::splat(32), 64) });
         let off = got.iter().filter(|rgb| (**rgb / 3.0 - 1.0).abs().max_element() > 1e-5).count();
-        // Shading normals stand off the facets: what would be refracted to the wrong side of one is lost.
-        assert!(off * 50 < got.len(), "Ni {ni}: {off} of {} samples are off", got.len());
+        // Some light is caught by total reflection for more than 64 segments.
+        assert!(off * 1000 < got.len(), "Ni {ni}: {off} of {} samples are off", got.len());
         assert!(ni > 1.0 || off == 0, "Ni {ni}: {off} samples are off");
     }
 }
