@@ -77,9 +77,34 @@ fn glass_in_a_furnace_is_invisible() {
         room.ball(Vec3::new(0.2, -0.3, -0.5), 0.4, shell);
         let got = traced(&room, &TraceParams { layers: 4, ..inside(&room, UVec2::splat(32), 64) });
         let off = got.iter().filter(|rgb| (**rgb / 3.0 - 1.0).abs().max_element() > 1e-5).count();
-        // Shading normals stand off the facets: what would be refracted to the wrong side of one is lost.
-        assert!(off * 50 < got.len(), "Ni {ni}: {off} of {} samples are off", got.len());
+        // Some light is caught by total reflection for more than 64 segments.
+        assert!(off * 1000 < got.len(), "Ni {ni}: {off} of {} samples are off", got.len());
         assert!(ni > 1.0 || off == 0, "Ni {ni}: {off} samples are off");
+    }
+}
+
+#[test]
+fn what_is_in_glass_has_an_index_of_its_own_times_that_around() {
+    // Radiance in a medium of index n is n^2 times that of the open. Every surface multiplies by its own Ni, as README.md has it: so a liquid
+    // in a glass needs their ratio, on the surface that they share.
+    for (outer, inner, right) in
+        [(1.5, 1.5, 1.5 * 1.5), (1.5, 1.33 / 1.5, 1.33), (1.33, 1.5 / 1.33, 1.5), (1.5, 1.0, 1.5)]
+    {
+        let mut room = Room { environment: Vec3::ONE, ..Room::default() };
+        for (radius, index) in [(1.0, outer), (0.5, inner)] {
+            // The front is to the side of the lower index, as Ni is never below 1; that of a ball is inside until it is turned out.
+            let material = room.material(glass(f32::max(index, 1.0 / index)));
+            let from = room.triangles.len();
+            room.ball(Vec3::ZERO, radius, material);
+            if index >= 1.0 {
+                room.triangles[from..].iter_mut().for_each(|t| (t.b, t.c) = (t.c, t.b));
+                room.shading[from..].iter_mut().for_each(|n| (n.n1, n.n2) = (n.n2, n.n1));
+            }
+        }
+        let params = TraceParams { position: Vec3::ZERO, layers: 4, max_depth: 64, ..room.params(UVec2::splat(16)) };
+        let got = traced(&room, &params);
+        let off = got.iter().filter(|rgb| (rgb.x / (right * right) as f32 - 1.0).abs() > 1e-4).count();
+        assert!(off <= 2, "{inner} in {outer}: {off} of {} samples are off, the first is {}", got.len(), got[0]);
     }
 }
 

@@ -12,6 +12,7 @@ mod engine;
 mod environment;
 mod extend;
 mod film;
+mod furnace;
 mod fuzz;
 mod glass;
 mod intersect;

@@ -2,6 +2,9 @@
 
 import package::gen::{Shading};
 
+// Cosine to its viewer that a bent normal has, at a facet that itself has as much.
+const LEAST_FACING: f32 = 0x1p-5;
+
 // A unit vector from its octahedral snorm16 pair (Cigolle et al., JCGT 3(2), 2014).
 fn octahedral_decode(word: u32) -> vec3<f32> {
     let e = vec2<f32>(vec2<i32>(bitcast<i32>(word << 16u), bitcast<i32>(word)) >> vec2<u32>(16u));
@@ -23,4 +26,12 @@ fn interpolate_normal(corners: Shading, b1: f32, b2: f32, geometric: vec3<f32>) 
         return geometric;
     }
     return normalize(select(n, -n, dot(n, geometric) < 0.0));
+}
+
+// A shading normal that its viewer is not behind of: turned towards `wo`, as little as it takes, where the facet is seen and the normal
+// looks away (a local fix like that of Keller et al., "The Iray Light Transport Simulation and Rendering System", 2017). There the normal is
+// seen grazing, so that mirrors and glass go over to reflection by the facet itself without an edge (lib/bsdf/facet). Unit length.
+fn bent_to_viewer(n: vec3<f32>, facet: vec3<f32>, wo: vec3<f32>) -> vec3<f32> {
+    let lack = min(LEAST_FACING, dot(wo, facet)) - dot(wo, n);
+    return select(n, normalize(n + lack * wo), lack > 0.0);
 }

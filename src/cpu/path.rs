@@ -17,6 +17,9 @@ use crate::layout::trace::{
 };
 use crate::layout::tree::Triangle;
 
+/// Cosine to its viewer that a bent normal has.
+const LEAST_FACING: f64 = 1.0 / 32.0;
+
 /// A scene as the trace kernel gets it.
 pub struct PathScene<'a> {
     pub triangles: TriangleSet,
@@ -124,10 +127,8 @@ impl<'a> PathScene<'a> {
         let from_behind = raw.dot(wo) < 0.0;
         let geometric = if from_behind { -raw } else { raw };
         let smooth = self.shading.get(hit.triangle.index as usize).and_then(|n| smooth_normal(n, hit.b));
-        let shading = smooth
-            .map(|n| if n.dot(geometric) < 0.0 { -n } else { n })
-            .filter(|n| n.dot(wo) > 0.0)
-            .unwrap_or(geometric);
+        let shading =
+            smooth.map_or(geometric, |n| bent_to_viewer(if n.dot(geometric) < 0.0 { -n } else { n }, geometric, wo));
         Facing { wo, shading, geometric, from_behind }
     }
 
@@ -150,7 +151,7 @@ impl<'a> PathScene<'a> {
     ) -> Connection {
         let from = asked.draw(position, pick, point);
         let above = from.direction.dot(facing.shading) > 0.0 && from.direction.dot(facing.geometric) > 0.0;
-        let at = Reflection::from(material).evaluate(facing.shading, facing.wo, from.direction);
+        let at = Reflection::from(material).evaluate(facing, from.direction);
         let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
         let share = if counts { power_heuristic(from.pdf, at.pdf) / from.pdf } else { 0.0 };
         Connection { from, light: at.value * from.radiance * share }
@@ -199,6 +200,12 @@ pub fn smooth_normal(corners: &Shading, b: [f64; 2]) -> Option<DVec3> {
     let [n0, n1, n2] = words.map(octahedral_decode);
     let n = (1.0 - b[0] - b[1]) * n0 + b[0] * n1 + b[1] * n2;
     (n.length_squared() >= 1e-6).then(|| n.normalize())
+}
+
+/// A shading normal turned towards its viewer, as little as makes it seen at all, where its facet is.
+fn bent_to_viewer(n: DVec3, facet: DVec3, wo: DVec3) -> DVec3 {
+    let least = LEAST_FACING.min(wo.dot(facet));
+    if n.dot(wo) < least { (n.reject_from_normalized(wo) + least * wo).normalize() } else { n }
 }
 
 /// A unit vector from its octahedral snorm16 pair (Cigolle et al., JCGT 3(2), 2014).

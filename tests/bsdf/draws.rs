@@ -54,7 +54,7 @@ fn draws_equal_the_f64_twin() {
                 assert_eq!(got.pdf == 0.0, right.pdf == 0.0 || cos < 0.0, "{lobe:?}, draw {i}: a delta or not");
                 let weight = match right.pdf > 0.0 && cos > 0.0 {
                     true => {
-                        let at = reflection.evaluate(view.shading, view.wo, got.direction);
+                        let at = reflection.evaluate(&view, got.direction);
                         worst[1] = worst[1].max((got.pdf / at.pdf - 1.0).abs());
                         worst[1] = worst[1].max((got.evaluated / at.pdf - 1.0).abs());
                         at.value / at.pdf
@@ -102,7 +102,7 @@ fn draws_follow_the_pdf() {
         let reflection = Reflection::from(&probe.material);
         let cells = cells(&probe, lobe);
         let observed = cells.count(draws(&mut rig, &probe).iter().map(|draw| draw.direction));
-        let parts = cells.integrate(|d| reflection.evaluate(view.shading, view.wo, d).pdf);
+        let parts = cells.integrate(|d| reflection.evaluate(&view, d).pdf);
         // The cells that the horizon or the lobe's own edge cuts are integrated to 1e-3, once over the sphere.
         let total = parts.iter().sum::<f64>();
         assert!((total - 1.0).abs() < 1e-3, "{lobe:?} at {degrees}: the pdf integrates to {total}");

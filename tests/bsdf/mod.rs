@@ -6,6 +6,7 @@ mod draws;
 mod elementary;
 mod furnace;
 mod pack;
+mod tilted;
 
 use glam::{DVec3, Vec3, Vec4};
 use lucerna::cpu::bsdf::{Facing, Specular};
@@ -32,6 +33,9 @@ gpu_struct! {
         pub from_behind: u32,
         pub pad1: u32,
         pub pad2: u32,
+        /// The surface's own normal; `normal` is the shading normal.
+        pub geometric: Vec3,
+        pub pad3: u32,
     }
 }
 
@@ -48,7 +52,7 @@ import package::lib::rng::{sample_1d, sample_2d};
 @group(0) @binding(1) var<storage, read_write> probed: array<vec4<f32>>;
 
 fn facing() -> Facing {
-    return Facing(params.wo, params.normal, params.normal, params.from_behind);
+    return Facing(params.wo, params.normal, params.geometric, params.from_behind);
 }
 
 @compute @workgroup_size(64)
@@ -124,7 +128,8 @@ fn rig() -> Runtime {
 
 /// Runs a probe, compiled for its material alone.
 fn run(rig: &mut Runtime, pass: &'static Pass, params: &BsdfProbe, words: usize) -> Vec<Vec4> {
-    rig.set_features(&Needs { materials: &[params.material], ..Needs::default() }.features());
+    let normals = params.normal != params.geometric;
+    rig.set_features(&Needs { materials: &[params.material], normals, ..Needs::default() }.features());
     rig.reserve("probed", (words * 16) as u64).unwrap();
     let mut recording = Recording::default();
     recording.run(pass, Size::Items(u64::from(params.count))).params(params);
@@ -161,6 +166,7 @@ fn look(values: &Reflector, degrees: f64) -> BsdfProbe {
         material: MaterialRecord::pack(values, EnergyRule::Preserve),
         wo: wo.normalize().as_vec3(),
         normal: normal.as_vec3(),
+        geometric: normal.as_vec3(),
         count: 1 << 20,
         seed: (values.ns as u32).wrapping_mul(31) ^ degrees as u32,
         ..BsdfProbe::default()
@@ -178,8 +184,18 @@ fn probe(kd: f32, ks: f32, lobe: Specular, degrees: f64) -> BsdfProbe {
     look(&values, degrees)
 }
 
+/// The same on a facet whose own normal leans off the shading normal by `lean` degrees, `turn` turns from the viewer's side.
+fn leaning(probe: BsdfProbe, lean: f64, turn: f64) -> BsdfProbe {
+    let Facing { wo, shading: n, .. } = facing(&probe);
+    let side = wo.reject_from_normalized(n).normalize();
+    let away = side.rotate_axis(n, turn * std::f64::consts::TAU);
+    let geometric = n * lean.to_radians().cos() + away * lean.to_radians().sin();
+    assert!(geometric.dot(wo) > 0.0, "the facet is not seen");
+    BsdfProbe { geometric: geometric.as_vec3(), ..probe }
+}
+
 /// A probe's view in f64, of unit vectors.
 fn facing(probe: &BsdfProbe) -> Facing {
-    let flat = Facing::flat(probe.normal.as_dvec3().normalize(), probe.wo.as_dvec3().normalize());
-    Facing { from_behind: probe.from_behind != 0, ..flat }
+    let [wo, shading, geometric] = [probe.wo, probe.normal, probe.geometric].map(|v| v.as_dvec3().normalize());
+    Facing { wo, shading, geometric, from_behind: probe.from_behind != 0 }
 }

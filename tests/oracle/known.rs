@@ -60,7 +60,7 @@ fn a_shell_of_index_one_and_a_clear_veil_are_invisible() {
 fn glass_gives_back_the_sky_around_it() {
     // In a sky of 1 a clear solid is as bright as the sky: what refraction takes on the way in it gives on the way out.
     let mut stage = Stage::new(SMALL, 200, DVec3::Z * 3.0, DVec3::ZERO);
-    // A cube: on smooth normals some directions contradict the facets, and are lost.
+    // A cube: a ball of facets can catch a little light for longer than 200 segments.
     for (axis, outward) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0), (2, 1.0), (2, -1.0)] {
         let (e, f) = (Vec3::AXES[(axis + 1) % 3] * outward, Vec3::AXES[(axis + 2) % 3]);
         let corner = Vec3::AXES[axis] * outward - e - f;

@@ -68,16 +68,18 @@ fn draws_carry_what_quadrature_says() {
     ];
     for (case, material) in surfaces.iter().enumerate() {
         let bsdf = Bsdf::new(material, Energy::Preserve);
-        for degrees in [0.0, 40.0, 80.0] {
-            let facing = seen_at(degrees);
+        for (degrees, lean) in [(0.0, 0.0), (40.0, 0.0), (80.0, 0.0), (40.0, 50.0), (80.0, 20.0), (20.0, -40.0)] {
+            let (sin, cos) = f64::to_radians(lean).sin_cos();
+            let facing = Facing { geometric: DVec3::new(sin, 0.0, cos), ..seen_at(degrees) };
             let (albedo, density) = quadrature(&bsdf, &facing);
             let (mean, error, hits) = drawn(&bsdf, &facing, 40_000, case as u64);
-            // 27 cases of 3 channels, and as many rates: 5 standard errors are passed by chance with 1e-4. What the
-            // quadrature leaves is below 1e-4 where the horizon cuts a lobe.
+            // 54 cases of 3 channels, and as many rates: 5 standard errors are passed by chance with 2e-4. What the
+            // quadrature leaves is below 1e-4 where the horizon cuts a lobe, and below 5e-4 where a leaning facet does.
+            let left = if lean == 0.0 { 2e-4 } else { 1e-3 };
             let off = (mean - albedo).abs() - 5.0 * error;
-            assert!(off.max_element() < 2e-4, "case {case} at {degrees}: {mean} drawn, {albedo} by quadrature");
+            assert!(off.max_element() < left, "case {case} at {degrees}: {mean} drawn, {albedo} by quadrature");
             let rate_error = 5.0 * (hits * (1.0 - hits) / 40_000.0).sqrt();
-            assert!((hits - density).abs() < rate_error + 2e-4, "case {case} at {degrees}: {hits} drawn, {density}");
+            assert!((hits - density).abs() < rate_error + left, "case {case} at {degrees}: {hits} drawn, {density}");
         }
     }
 }

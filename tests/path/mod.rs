@@ -109,6 +109,18 @@ pub fn against_twin(room: &Room, library: Library, params: &TraceParams) -> Resu
     )
 }
 
+/// Whether asking lights directly finds the same in 8 x 8 pixels of a room as finding them by chance: 330,000 paths each.
+pub fn compare_integrators(room: &Room) -> Result<(), String> {
+    let trace = |next_event: bool, seed: u32| {
+        let room = Room { next_event, ..room.clone() };
+        let params = TraceParams { layers: 160, seed, ..room.params(UVec2::splat(8)) };
+        let mut rig = support::rig();
+        room.load(&mut rig);
+        move |i: usize| gpu_sums(&mut rig, &batch(&params, i))
+    };
+    compare(trace(true, 2), trace(false, 1))
+}
+
 /// 24 x 24 pixels and 4 samples a batch: 128 samples a pixel in all.
 pub fn small(room: &Room) -> TraceParams {
     TraceParams { layers: 4, ..room.params(UVec2::splat(24)) }

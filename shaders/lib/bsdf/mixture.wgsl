@@ -1,6 +1,7 @@
 // A surface's BSDF. Beside Lambert's it has one specular lobe, of Phong (feature `glossy`), GGX (`ggx`) or a mirror
 // (`mirror`), chosen by luminance; part of the light may pass straight through (`thin`); or it is a smooth dielectric and
-// nothing else (`dielectric`). Lobes that have density are one mixture; below the surface they carry nothing.
+// nothing else (`dielectric`). Lobes that have density are one mixture; below the surface they carry nothing. Where the shading normal is
+// not the surface's own (`normals`), what would be lost to that is kept (lib/bsdf/facet).
 
 import package::gen::{MaterialRecord};
 @if(dielectric) import package::gen::{MATERIAL_DIELECTRIC};
@@ -9,6 +10,7 @@ import package::gen::{MaterialRecord};
 @if(glossy) import package::lib::math::{cos_power};
 @if(dielectric) import package::lib::bsdf::dielectric::{fresnel, interface_of, refracted, squeeze_of};
 @if(ggx) import package::lib::bsdf::ggx::{ggx_evaluate, ggx_sample};
+@if(normals) import package::lib::bsdf::facet::{crowded, crowding, kept_above, mirrored};
 import package::lib::bsdf::lambert::{lambert_pdf, lambert_value};
 @if(dielectric || glossy || mirror) import package::lib::bsdf::mirror::{reflected};
 @if(glossy) import package::lib::bsdf::phong::{phong_pdf, phong_value};
@@ -57,28 +59,49 @@ fn mixture_evaluate(m: MaterialRecord, facing: Facing, wi: vec3<f32>) -> BsdfVal
     let cos_theta = dot(wi, facing.shading);
     var value = lambert_value(m.kd, cos_theta);
     var pdf = lambert_pdf(cos_theta);
+    @if(normals) {
+        value *= crowding(facing.shading, facing.geometric);
+        pdf *= crowding(facing.shading, facing.geometric);
+    }
     @if(ggx || glossy || mirror) {
         pdf *= 1.0 - m.glossy;
     }
-    @if(glossy) {
-        if (is_phong(m)) {
-            let lobe = cos_power(reflected(facing.wo, facing.shading), wi, m.ns);
-            value += phong_value(m.ks, m.ns, lobe, cos_theta);
-            pdf += m.glossy * phong_pdf(m.ns, lobe);
+    @if(ggx || glossy) {
+        var lobe = lobe_evaluate(m, facing, wi);
+        @if(normals) {
+            let below = mirrored(wi, facing.geometric);
+            if (dot(below, facing.shading) > 0.0) {
+                let other = lobe_evaluate(m, facing, below);
+                lobe = BsdfValue(lobe.value + other.value, lobe.pdf + other.pdf);
+            }
         }
-    }
-    @if(ggx) {
-        if ((m.flags & MATERIAL_GGX) != 0u) {
-            let at = ggx_evaluate(m.alpha, facing.shading, facing.wo, wi);
-            value += m.ks * at.value;
-            pdf += m.glossy * at.pdf;
-        }
+        value += lobe.value;
+        pdf += m.glossy * lobe.pdf;
     }
     @if(thin) {
         value *= 1.0 - m.transparency;
         pdf *= 1.0 - m.transparency;
     }
     return BsdfValue(value, pdf);
+}
+
+// The specular lobe by itself, about the shading normal, above which both directions are.
+@if(ggx || glossy)
+fn lobe_evaluate(m: MaterialRecord, facing: Facing, wi: vec3<f32>) -> BsdfValue {
+    var lobe = BsdfValue(vec3<f32>(0.0), 0.0);
+    @if(glossy) {
+        if (is_phong(m)) {
+            let power = cos_power(reflected(facing.wo, facing.shading), wi, m.ns);
+            lobe = BsdfValue(phong_value(m.ks, m.ns, power, dot(wi, facing.shading)), phong_pdf(m.ns, power));
+        }
+    }
+    @if(ggx) {
+        if ((m.flags & MATERIAL_GGX) != 0u) {
+            let at = ggx_evaluate(m.alpha, facing.shading, facing.wo, wi);
+            lobe = BsdfValue(m.ks * at.value, at.pdf);
+        }
+    }
+    return lobe;
 }
 
 // Whether the specular lobe, if there is one, is Phong's.
@@ -111,7 +134,7 @@ fn mixture_sample(m: MaterialRecord, facing: Facing, pick: f32, u: vec2<f32>) ->
     }
     @if(mirror) {
         if ((m.flags & MATERIAL_MIRROR) != 0u && chosen < m.glossy) {
-            let wi = reflected(facing.wo, facing.shading);
+            let wi = mirror_direction(facing);
             return BsdfSample(wi, 0.0, select(vec3<f32>(0.0), m.ks / m.glossy, is_above(facing, wi)));
         }
     }
@@ -121,6 +144,9 @@ fn mixture_sample(m: MaterialRecord, facing: Facing, pick: f32, u: vec2<f32>) ->
 // A direction of the lobes that have density.
 fn density_sample(m: MaterialRecord, facing: Facing, pick: f32, u: vec2<f32>) -> BsdfSample {
     var wi = direction_around(facing.shading, cosine_angle(u.x), u.y);
+    @if(normals) {
+        wi = crowded(wi, facing.shading, facing.geometric);
+    }
     @if(glossy) {
         if (pick < m.glossy && is_phong(m)) {
             wi = direction_around(reflected(facing.wo, facing.shading), phong_angle(m.ns, u.x), u.y);
@@ -129,6 +155,12 @@ fn density_sample(m: MaterialRecord, facing: Facing, pick: f32, u: vec2<f32>) ->
     @if(ggx) {
         if (pick < m.glossy && (m.flags & MATERIAL_GGX) != 0u) {
             wi = ggx_sample(m.alpha, facing.shading, facing.wo, u);
+        }
+    }
+    @if(normals && (ggx || glossy)) {
+        // Below the shading normal a lobe carries nothing, wherever the surface is.
+        if (pick < m.glossy && dot(wi, facing.shading) > 0.0) {
+            wi = kept_above(wi, facing.geometric);
         }
     }
     let at = mixture_evaluate(m, facing, wi);
@@ -141,17 +173,39 @@ fn density_sample(m: MaterialRecord, facing: Facing, pick: f32, u: vec2<f32>) ->
     return BsdfSample(wi, at.pdf, weight);
 }
 
+// Where a mirror reflects to.
+@if(dielectric || mirror)
+fn mirror_direction(facing: Facing) -> vec3<f32> {
+    var wi = reflected(facing.wo, facing.shading);
+    @if(normals) {
+        wi = kept_above(wi, facing.geometric);
+    }
+    return wi;
+}
+
 // Reflected or refracted by Fresnel's probability, which leaves a weight of 1, but for the filter, and for radiance being
 // squeezed into or out of a narrower cone.
 @if(dielectric)
-fn dielectric_sample(m: MaterialRecord, facing: Facing, pick: f32) -> BsdfSample {
+fn dielectric_sample(m: MaterialRecord, seen: Facing, pick: f32) -> BsdfSample {
+    var facing = seen;
     let at = interface_of(m.ni, facing.from_behind != 0u);
-    let split = fresnel(at, dot(facing.wo, facing.shading));
+    var split = fresnel(at, dot(facing.wo, facing.shading));
+    @if(normals) {
+        // Total reflection about a smooth normal can catch light for ever. Where the surface itself would let some out, it does.
+        let own = fresnel(at, dot(facing.wo, facing.geometric));
+        if (split.cos_transmitted == 0.0 && own.cos_transmitted > 0.0) {
+            split = own;
+            facing.shading = facing.geometric;
+        }
+    }
     if (pick < split.reflectance) {
-        let wi = reflected(facing.wo, facing.shading);
+        let wi = mirror_direction(facing);
         return BsdfSample(wi, 0.0, vec3<f32>(select(0.0, 1.0, is_above(facing, wi))));
     }
-    let wi = refracted(at, facing.wo, facing.shading, split.cos_transmitted);
+    var wi = refracted(at, facing.wo, facing.shading, split.cos_transmitted);
+    @if(normals) {
+        wi = -kept_above(-wi, facing.geometric);
+    }
     let beyond = dot(wi, facing.shading) < 0.0 && dot(wi, facing.geometric) < 0.0;
     let squeeze = squeeze_of(at);
     return BsdfSample(wi, 0.0, select(vec3<f32>(0.0), squeeze * m.tf, beyond));

@@ -21,7 +21,7 @@ import package::lib::intersect::{offset_ray_origin, surface_point, triangle_norm
 @if(lights || sky_light) import package::lib::light::{power_heuristic};
 import package::lib::math::{largest_of};
 import package::lib::rng::{sample_2d, sample_4d};
-@if(normals) import package::lib::normals::{interpolate_normal};
+@if(normals) import package::lib::normals::{bent_to_viewer, interpolate_normal};
 @if(lights || sky_light) import package::passes::trace::connect::{LightSample, draw_light};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 import package::passes::trace::scene::{load_leaf, scene_extent};
@@ -77,8 +77,7 @@ fn facing_at(triangle: Triangle, hit: Hit, raw: vec3<f32>, wo: vec3<f32>) -> Fac
     var shading_normal = geometric;
     @if(normals) {
         let smooth_normal = interpolate_normal(shading[triangle.index], hit.b1, hit.b2, geometric);
-        // A smooth normal that the viewer is behind of has no mirror direction above the surface.
-        shading_normal = select(geometric, smooth_normal, dot(smooth_normal, wo) > 0.0);
+        shading_normal = bent_to_viewer(smooth_normal, geometric, wo);
     }
     return Facing(wo, shading_normal, geometric, u32(from_behind));
 }

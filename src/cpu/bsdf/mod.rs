@@ -52,7 +52,7 @@ pub struct Facing {
 pub struct BsdfValue {
     /// f times the cosine of the incident direction.
     pub value: DVec3,
-    /// Of the whole mixture, by solid angle. Below the surface there is density, and nothing is carried.
+    /// Of the whole mixture, by solid angle. Below the shading normal there is density, and nothing is carried.
     pub pdf: f64,
 }
 
@@ -95,27 +95,70 @@ impl Facing {
     fn is_above(&self, wi: DVec3) -> bool {
         wi.dot(self.shading) > 0.0 && wi.dot(self.geometric) > 0.0
     }
+
+    /// What the true surface makes of a direction: its mirror image.
+    fn mirrored(&self, wi: DVec3) -> DVec3 {
+        wi - 2.0 * wi.dot(self.geometric) * self.geometric
+    }
+
+    /// A direction that does not run into the true surface from the viewer's side.
+    fn kept_above(&self, wi: DVec3) -> DVec3 {
+        if wi.dot(self.geometric) < 0.0 { self.mirrored(wi) } else { wi }
+    }
+
+    /// What is left of the cosine lobe about the shading normal above the true surface, as a part of the whole.
+    fn visible_part(&self) -> f64 {
+        0.5 * (1.0 + self.shading.dot(self.geometric))
+    }
+
+    /// A direction of that lobe, moved above the true surface with its density: chords of the lobe's disc are shortened.
+    fn crowded(&self, wi: DVec3) -> DVec3 {
+        let lean = self.geometric.reject_from_normalized(self.shading);
+        if lean.length() < 1e-6 {
+            return wi;
+        }
+        let e = lean.normalize();
+        let (x, y) = (wi.dot(e.cross(self.shading)), wi.dot(e));
+        let end = (1.0 - x * x).max(0.0).sqrt();
+        let y = end + self.visible_part() * (y - end);
+        x * e.cross(self.shading) + y * e + (1.0 - x * x - y * y).max(0.0).sqrt() * self.shading
+    }
 }
 
 impl Reflection {
-    /// f times the cosine of `wi` about the shading normal `n`.
-    pub fn evaluate(&self, n: DVec3, wo: DVec3, wi: DVec3) -> BsdfValue {
+    /// f times the cosine of `wi` about the shading normal.
+    pub fn evaluate(&self, facing: &Facing, wi: DVec3) -> BsdfValue {
+        let (mut value, mut pdf) = (DVec3::ZERO, 0.0);
         if self.dielectric.is_some() {
-            return BsdfValue { value: DVec3::ZERO, pdf: 0.0 };
+            return BsdfValue { value, pdf };
         }
-        let cos_theta = n.dot(wi);
-        let (glossy, pdf) = match self.specular {
+        let cos_theta = wi.dot(facing.shading);
+        if facing.is_above(wi) {
+            let diffuse = cos_theta / PI / facing.visible_part();
+            (value, pdf) = (self.kd * diffuse, (1.0 - self.glossy) * diffuse);
+            for from in [wi, facing.mirrored(wi)].into_iter().filter(|from| from.dot(facing.shading) > 0.0) {
+                let (glossy, glossy_pdf) = self.specular(facing, from);
+                value += self.ks * glossy;
+                pdf += self.glossy * glossy_pdf;
+            }
+        } else if cos_theta <= 0.0 {
+            pdf = self.glossy * self.specular(facing, wi).1;
+        }
+        let opacity = 1.0 - self.transparency;
+        BsdfValue { value: opacity * value, pdf: opacity * pdf }
+    }
+
+    /// f cos and pdf of the specular lobe of reflectance 1 about the shading normal, before the true surface mirrors what is below it.
+    fn specular(&self, facing: &Facing, wi: DVec3) -> (f64, f64) {
+        let Facing { wo, shading: n, .. } = *facing;
+        match self.specular {
             Specular::Phong(ns) => {
                 let lobe = cos_power(mirror(n, wo), wi, ns) / TAU;
-                ((ns + 2.0) * lobe * cos_theta, (ns + 1.0) * lobe)
+                ((ns + 2.0) * lobe * n.dot(wi), (ns + 1.0) * lobe)
             }
             Specular::Ggx(alpha) => (ggx::value(alpha, n, wo, wi), ggx::pdf(alpha, n, wo, wi)),
             Specular::Mirror => (0.0, 0.0),
-        };
-        let value = if cos_theta > 0.0 { self.kd * (cos_theta / PI) + self.ks * glossy } else { DVec3::ZERO };
-        let pdf = (1.0 - self.glossy) * cos_theta.max(0.0) / PI + self.glossy * pdf;
-        let opacity = 1.0 - self.transparency;
-        BsdfValue { value: opacity * value, pdf: opacity * pdf }
+        }
     }
 
     /// A direction: `pick` chooses the lobe, `u` the direction in it, all in [0, 1).
@@ -129,29 +172,35 @@ impl Reflection {
             return self.sample_dielectric(&Interface::new(ni, facing.from_behind), facing, pick);
         }
         let specular = pick < self.glossy;
-        let direction = match self.specular {
+        let lobe = match self.specular {
             Specular::Phong(ns) if specular => sample_phong(mirror(n, wo), ns, u),
             Specular::Ggx(alpha) if specular => ggx::sample(alpha, n, wo, u),
             Specular::Mirror if specular => mirror(n, wo),
-            _ => sample_cosine(n, u),
+            _ => facing.crowded(sample_cosine(n, u)),
         };
-        let above = facing.is_above(direction);
+        // Below the shading normal a lobe carries nothing, wherever the surface is.
+        let direction = if lobe.dot(n) > 0.0 { facing.kept_above(lobe) } else { lobe };
         if specular && self.specular == Specular::Mirror {
-            return BsdfSample { direction, pdf: 0.0, weight: if above { self.ks / self.glossy } else { DVec3::ZERO } };
+            return BsdfSample { direction, pdf: 0.0, weight: self.ks / self.glossy };
         }
-        let BsdfValue { value, pdf } = self.evaluate(n, wo, direction);
-        BsdfSample { direction, pdf, weight: if above && pdf > 0.0 { value / pdf } else { DVec3::ZERO } }
+        let BsdfValue { value, pdf } = self.evaluate(facing, direction);
+        BsdfSample { direction, pdf, weight: if pdf > 0.0 { value / pdf } else { DVec3::ZERO } }
     }
 
     fn sample_dielectric(&self, at: &Interface, facing: &Facing, pick: f64) -> BsdfSample {
-        let Facing { wo, shading: n, geometric, .. } = *facing;
-        let reflected = mirror(n, wo);
-        let passed = at.refracted(n, wo).filter(|_| pick >= at.reflectance(n.dot(wo)));
-        let (direction, value, carried) = match passed {
-            Some(wi) => (wi, self.tf * at.squeeze(), wi.dot(n) < 0.0 && wi.dot(geometric) < 0.0),
-            None => (reflected, DVec3::ONE, facing.is_above(reflected)),
+        let Facing { wo, shading, geometric, .. } = *facing;
+        // Total reflection about a smooth normal can catch light for ever: where it is not total by the true one, that one counts.
+        let n = if at.refracted(shading, wo).is_none() && at.refracted(geometric, wo).is_some() {
+            geometric
+        } else {
+            shading
         };
-        BsdfSample { direction, pdf: 0.0, weight: if carried { value } else { DVec3::ZERO } }
+        let passed = at.refracted(n, wo).filter(|_| pick >= at.reflectance(n.dot(wo)));
+        let (direction, weight) = match passed {
+            Some(wi) => (-facing.kept_above(-wi), self.tf * at.squeeze()),
+            None => (facing.kept_above(mirror(n, wo)), DVec3::ONE),
+        };
+        BsdfSample { direction, pdf: 0.0, weight }
     }
 }
 

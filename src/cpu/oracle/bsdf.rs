@@ -34,6 +34,9 @@ enum Specular {
 }
 
 /// How a surface is seen. Both normals are on the side of `wo`.
+///
+/// Where they differ, what a specular lobe sends into the true surface is mirrored by it, and a diffuse one is made stronger by as much as
+/// the true surface hides of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Facing {
     pub wo: DVec3,
@@ -95,39 +98,50 @@ impl Bsdf {
             return (DVec3::ZERO, 0.0);
         }
         let [diffuse, specular, _] = self.chances();
-        let (lobe, lobe_pdf) = match self.specular {
-            Specular::Phong(n) => phong(n, facing, wi),
-            Specular::Ggx(alpha) => ggx(alpha, facing, wi),
-            Specular::Mirror => (0.0, 0.0),
-        };
-        let value = self.opacity * (self.kd * (FRAC_1_PI * cos) + self.ks * lobe);
-        (value, diffuse * FRAC_1_PI * cos + specular * lobe_pdf)
+        let cosine_lobe = FRAC_1_PI * cos / facing.visible_part();
+        let (mut lobe, mut lobe_pdf) = (0.0, 0.0);
+        for from in [wi, facing.off_surface(wi)] {
+            if from.dot(facing.shading) > 0.0 {
+                let (more, more_pdf) = match self.specular {
+                    Specular::Phong(n) => phong(n, facing, from),
+                    Specular::Ggx(alpha) => ggx(alpha, facing, from),
+                    Specular::Mirror => (0.0, 0.0),
+                };
+                (lobe, lobe_pdf) = (lobe + more, lobe_pdf + more_pdf);
+            }
+        }
+        let value = self.opacity * (self.kd * cosine_lobe + self.ks * lobe);
+        (value, diffuse * cosine_lobe + specular * lobe_pdf)
     }
 
     /// A direction to go on in; none where the light is lost.
     pub fn draw(&self, facing: &Facing, random: &mut Random) -> Option<Draw> {
         if let Some(index) = self.glass {
-            return draw_glass(index, self.tf, facing, random);
+            return Some(draw_glass(index, self.tf, facing, random));
         }
         let [diffuse, specular, straight] = self.chances();
         let pick = random.unit();
-        let (u, v) = (random.unit(), random.unit());
         let wi = if pick < straight {
             let weight = self.tf * ((1.0 - self.opacity) / straight);
             return Some(Draw { wi: -facing.wo, weight, pdf: 0.0 });
         } else if pick < straight + diffuse {
-            around(facing.shading, (1.0 - u).sqrt(), v)
+            draw_diffuse(facing, random)?
         } else if specular <= 0.0 {
             return None;
         } else {
-            match self.specular {
+            let (u, v) = (random.unit(), random.unit());
+            let wi = match self.specular {
                 Specular::Phong(n) => around(facing.mirror(), (1.0 - u).powf(1.0 / (n + 1.0)), v),
                 Specular::Ggx(alpha) => draw_ggx(alpha, facing, u, v),
                 Specular::Mirror => {
-                    let (wi, weight) = (facing.mirror(), self.ks * (self.opacity / specular));
-                    return (wi.dot(facing.geometric) > 0.0).then_some(Draw { wi, weight, pdf: 0.0 });
+                    let (wi, weight) = (facing.leaving(facing.mirror()), self.ks * (self.opacity / specular));
+                    return Some(Draw { wi, weight, pdf: 0.0 });
                 }
+            };
+            if wi.dot(facing.shading) <= 0.0 {
+                return None;
             }
+            facing.leaving(wi)
         };
         let (value, pdf) = self.evaluate(facing, wi);
         (pdf > 0.0).then(|| Draw { wi, weight: value / pdf, pdf })
@@ -138,6 +152,21 @@ impl Facing {
     /// `wo` reflected about the shading normal.
     fn mirror(&self) -> DVec3 {
         2.0 * self.wo.dot(self.shading) * self.shading - self.wo
+    }
+
+    /// A direction reflected by the true surface, from above or from below.
+    fn off_surface(&self, wi: DVec3) -> DVec3 {
+        wi.reflect(self.geometric)
+    }
+
+    /// A direction of the viewer's side, once the true surface has reflected it if it must.
+    fn leaving(&self, wi: DVec3) -> DVec3 {
+        if wi.dot(self.geometric) < 0.0 { self.off_surface(wi) } else { wi }
+    }
+
+    /// Part of a cosine lobe about the shading normal that is above the true surface.
+    fn visible_part(&self) -> f64 {
+        0.5 + 0.5 * self.shading.dot(self.geometric)
     }
 
     /// Columns: two tangents and the shading normal.
@@ -153,6 +182,14 @@ fn around(axis: DVec3, cos: f64, turn: f64) -> DVec3 {
     let (sin_turn, cos_turn) = (TAU * turn).sin_cos();
     let sin = (1.0 - cos * cos).max(0.0).sqrt();
     (sin * (cos_turn * s + sin_turn * t) + cos * axis).normalize()
+}
+
+/// By the cosine about the shading normal, of the directions above the true surface; at least every second one is.
+fn draw_diffuse(facing: &Facing, random: &mut Random) -> Option<DVec3> {
+    const TRIES: usize = 64;
+    (0..TRIES)
+        .map(|_| around(facing.shading, (1.0 - random.unit()).sqrt(), random.unit()))
+        .find(|wi| wi.dot(facing.geometric) > 0.0)
 }
 
 /// f cos and pdf of the Phong lobe of reflectance 1.
@@ -188,18 +225,19 @@ fn draw_ggx(alpha: f64, facing: &Facing, u: f64, v: f64) -> DVec3 {
 
 /// Reflected by Fresnel's part, else refracted. Radiance over the square of the index is what a boundary keeps, so what
 /// comes from the denser side is weaker on the other.
-fn draw_glass(index: f64, tf: DVec3, facing: &Facing, random: &mut Random) -> Option<Draw> {
+fn draw_glass(index: f64, tf: DVec3, facing: &Facing, random: &mut Random) -> Draw {
     let ratio = if facing.from_behind { index } else { 1.0 / index };
-    let cos = facing.wo.dot(facing.shading);
-    let cos2_beyond = 1.0 - ratio * ratio * (1.0 - cos * cos);
+    let passes = |normal: DVec3| 1.0 - ratio * ratio * (1.0 - facing.wo.dot(normal).powi(2));
+    // Where a shading normal would keep in what the true surface lets out, the true surface decides: or light could be caught for ever.
+    let caught = passes(facing.shading) <= 0.0 && passes(facing.geometric) > 0.0;
+    let facing = &Facing { shading: if caught { facing.geometric } else { facing.shading }, ..*facing };
+    let (cos, cos2_beyond) = (facing.wo.dot(facing.shading), passes(facing.shading));
     let reflected = if cos2_beyond > 0.0 { fresnel(ratio, cos, cos2_beyond.sqrt()) } else { 1.0 };
     if random.unit() < reflected {
-        let wi = facing.mirror();
-        return (wi.dot(facing.geometric) > 0.0).then_some(Draw { wi, weight: DVec3::ONE, pdf: 0.0 });
+        return Draw { wi: facing.leaving(facing.mirror()), weight: DVec3::ONE, pdf: 0.0 };
     }
     let wi = (facing.shading * (ratio * cos - cos2_beyond.sqrt()) - ratio * facing.wo).normalize();
-    let weight = tf * (ratio * ratio);
-    (wi.dot(facing.geometric) < 0.0).then_some(Draw { wi, weight, pdf: 0.0 })
+    Draw { wi: -facing.leaving(-wi), weight: tf * (ratio * ratio), pdf: 0.0 }
 }
 
 /// Unpolarised reflectance of a boundary, `ratio` being the index here by that beyond.

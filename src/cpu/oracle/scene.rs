@@ -22,6 +22,9 @@ pub enum OracleError {
     EmptyFilm,
 }
 
+/// Cosine at which a shading normal is just seen.
+const LEAST_FACING: f64 = 1.0 / 32.0;
+
 pub struct Scene {
     pub triangles: Vec<Triangle>,
     pub tree: Tree,
@@ -97,9 +100,15 @@ impl Scene {
         let front = triangle.winding().normalize();
         let from_behind = front.dot(wo) < 0.0;
         let geometric = if from_behind { -front } else { front };
-        // A smooth normal that the viewer is behind of has no mirror direction above the surface.
-        let smooth = triangle.smooth_normal(hit.b).map(|n| if n.dot(geometric) < 0.0 { -n } else { n });
-        let shading = smooth.filter(|n| n.dot(wo) > 0.0).unwrap_or(geometric);
+        let mut shading = geometric;
+        if let Some(smooth) = triangle.smooth_normal(hit.b) {
+            shading = smooth * smooth.dot(geometric).signum();
+            // A normal that looks away from its viewer is turned until it is just seen, if the triangle is.
+            let lack = wo.dot(geometric).min(LEAST_FACING) - wo.dot(shading);
+            if lack > 0.0 {
+                shading = (shading + lack * wo).normalize();
+            }
+        }
         Facing { wo, shading, geometric, from_behind }
     }
 
