@@ -147,9 +147,12 @@ fn hits_are_where_an_exact_ray_meets_the_plane() {
             // Rounding moves the plane's corners by some 2^-22 of their distance, which the slope to the ray magnifies.
             let bound = 2f64.powi(-20) * 8.0 * normal.length() / normal.dot(d).abs();
             assert!((f64::from(hit.t) - exact).abs() <= bound, "t {} for {exact}", hit.t);
-            let point = surface_point(triangles[0][0], triangles[0][1], triangles[0][2], hit.b1, hit.b2).0;
+            let (point, error) = surface_point(triangles[0][0], triangles[0][1], triangles[0][2], hit.b1, hit.b2);
             let along = origin.as_dvec3() + d * exact;
-            assert!((point.as_dvec3() - along).length() <= bound * d.length(), "{point} for {along}");
+            // Moved away from edges that are nearer than 16 errors.
+            let near_edge = hit.b1.min(hit.b2).min(1.0 - hit.b1 - hit.b2) < 1e-3;
+            let moved = if near_edge { 48.0 * f64::from(error.max_element()) } else { 0.0 };
+            assert!((point.as_dvec3() - along).length() <= bound * d.length() + moved, "{point} for {along}");
         }
     }
 }

@@ -27,6 +27,7 @@ mod morton;
 mod mtl;
 mod obj;
 mod oracle;
+mod outliers;
 mod passes;
 mod path;
 mod pictures;

@@ -67,6 +67,7 @@ pub fn scenes(n: u32) -> Vec<(&'static str, Vec<Triangle>)> {
         ("tiny", cloud(n, 0.02 / 1048576.0, |_, random| point(random) / 1048576.0)),
         ("huge", cloud(n, 1e4, |_, random| (point(random) - 0.5) * 1048576.0)),
         ("far away", cloud(n, 0.2, |_, random| point(random) + 1e6)),
+        ("one far away", cloud(n, 0.02, |i, random| point(random) - if i == n / 2 { 1e6 } else { 0.0 })),
         ("around zero", cloud(n, 0.0, |i, _| Vec3::new(if i % 2 == 0 { 0.0 } else { -0.0 }, -along(i), along(i)))),
     ]
 }
@@ -84,7 +85,7 @@ fn check(rig: &mut Runtime, what: &str, triangles: &[Triangle]) {
     let n = triangles.len() as u32;
     rig.upload("triangles", triangles).unwrap();
     let mut recording = Recording::default();
-    build::record_codes(&mut recording, n);
+    build::record_codes(&mut recording, n, morton::core_of(triangles));
     rig.play(&recording).unwrap();
 
     if n > 0 {
@@ -93,7 +94,7 @@ fn check(rig: &mut Runtime, what: &str, triangles: &[Triangle]) {
         assert_eq!(found, morton::bounds(triangles), "bounds of {n} triangles, {what}");
     }
     let keys: Vec<u64> = rig.read_some("keys", n as usize).unwrap();
-    let expected = morton::codes(triangles, morton::bounds(triangles).centroids);
+    let expected = morton::codes(triangles, morton::bounds(triangles).centroids, morton::core_of(triangles));
     let wrong = keys.iter().zip(&expected).position(|(a, b)| a != b);
     assert_eq!(wrong, None, "first triangle with another code, of {n}, {what}");
     let payload: Vec<u32> = rig.read_some("payload", n as usize).unwrap();
@@ -135,7 +136,7 @@ fn codes_are_those_of_the_cells() {
     let centroids = morton::bounds(&triangles).centroids;
     assert_eq!(centroids, Bounds { low: Vec3::ZERO, high: far });
     let scale = morton::cells_per_metre(far.x);
-    for (point, code) in points.iter().zip(morton::codes(&triangles, centroids)) {
+    for (point, code) in points.iter().zip(morton::codes(&triangles, centroids, 1e30)) {
         assert_eq!(code, interleaved((point * scale).as_uvec3()), "{point}");
     }
 }

@@ -5,11 +5,13 @@
 // from rays and triangles as package::gen describes them.
 
 import package::gen::{Ray};
+import package::lib::math::{largest_of};
 
-// What boxes grow by on every side, in units of the greatest coordinate of ray and scene. A triangle that passes the
-// edge test lies within 8 * 2^-24 * distance of the ray: the roundings of each sheared coordinate and of the shear.
-// Twice that leaves the roundings of the slabs themselves.
-const SLAB_GROWTH: f32 = 9.5367431640625e-7;
+// What boxes grow by on every side: this part of the triangle's greatest coordinate, in padded_box(), and of the ray's origin's, in
+// prepare_query(). A triangle that passes the edge test lies within 8 * 2^-24 * distance of the ray: the roundings of each sheared
+// coordinate and of the shear. Twice that leaves the roundings of the slabs themselves. Each box by its own coordinates, not all by
+// the scene's: one thing far away then costs the rest nothing.
+const SLAB_GROWTH: f32 = 0x1p-20;
 // Far planes move out by this factor, for the rounding of the reciprocal and the last one (Ize 2013).
 const FAR_GROWTH: f32 = 1.00000095367431640625;
 // A direction's component counts as at least this part of the largest: its reciprocal stays finite.
@@ -61,6 +63,20 @@ fn largest_axis(d: vec3<f32>) -> u32 {
     return select(select(1u, 0u, m.x >= m.y), 2u, m.z >= max(m.x, m.y));
 }
 
+// A triangle's box, grown by what its own coordinates ask for: what all boxes of the tree are joined from.
+struct PaddedBox {
+    low: vec3<f32>,
+    high: vec3<f32>,
+}
+
+fn padded_box(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> PaddedBox {
+    let low = min(min(a, b), c);
+    let high = max(max(a, b), c);
+    // Exact, so that it makes no difference whether a device fuses it with the sums.
+    let growth = vec3(SLAB_GROWTH * largest_of(max(-low, high)));
+    return PaddedBox(low - growth, high + growth);
+}
+
 // `extent` is the greatest coordinate of the scene's box. The direction is not zero.
 fn prepare_query(ray: Ray, extent: f32) -> Query {
     let axis = largest_axis(ray.direction);
@@ -69,10 +85,10 @@ fn prepare_query(ray: Ray, extent: f32) -> Query {
     let signed_least = select(vec3(-least), vec3(least), ray.direction >= vec3(0.0));
     let safe = select(ray.direction, signed_least, abs(ray.direction) < vec3(least));
     let inverse = vec3(reciprocal(safe.x), reciprocal(safe.y), reciprocal(safe.z));
-    let o = abs(ray.origin);
     let along = reciprocal(d.z);
-    let reach = vec3(max(max(o.x, o.y), o.z) + extent);
-    let exponent = clamp(bitcast<u32>(reach.x) >> 23u, 27u, 227u);
+    let far = largest_of(abs(ray.origin));
+    let reach = vec3(far);
+    let exponent = clamp(bitcast<u32>(far + extent) >> 23u, 27u, 227u);
     return Query(
         ray.origin,
         ray.t_min,
@@ -144,7 +160,8 @@ fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) ->
     if (min(min(u, v), w) < 0.0 && max(max(u, v), w) > 0.0) || abs(det) < LEAST_AREA {
         return result;
     }
-    let interval = slab_interval(query, min(min(a, b), c), max(max(a, b), c));
+    let own = padded_box(a, b, c);
+    let interval = slab_interval(query, own.low, own.high);
     let raw = triangle_normal(a * query.unit, b * query.unit, c * query.unit);
     if interval.x > interval.y || all(raw == vec3(0.0)) {
         return result;
@@ -157,6 +174,9 @@ fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) ->
     result.hit = true;
     return result;
 }
+
+// How many times its error a point keeps away from the edges of its triangle.
+const INSET: f32 = 16.0;
 
 struct SurfacePoint {
     position: vec3<f32>,
@@ -172,8 +192,31 @@ fn surface_point(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, b1: f32, b2: f32) -> 
     let b0 = 1.0 - b1 - b2;
     let position = b0 * a + b1 * b + b2 * c;
     let rounding = 4.17232569e-7 * (abs(b0 * a) + abs(b1 * b) + abs(b2 * c));
-    let reach = abs(b0) * distance(a, position) + b1 * distance(b, position) + b2 * distance(c, position);
-    return SurfacePoint(position, rounding + vec3(4.76837158203125e-7 * reach));
+    let corners = vec3(distance(a, position), distance(b, position), distance(c, position));
+    let reach = abs(b0) * corners.x + b1 * corners.y + b2 * corners.z;
+    let error = rounding + vec3(4.76837158203125e-7 * reach);
+    let margin = INSET * largest_of(error);
+    // No height of the triangle is less than its normal's length by its longest edge, and that at most twice the way to a corner.
+    if (min(min(b0, b1), b2) * length(triangle_normal(a, b, c)) > 2.0 * margin * largest_of(corners)) {
+        return SurfacePoint(position, error);
+    }
+    return SurfacePoint(inset(position, margin, a, b, c), error);
+}
+
+// A point of a triangle moved away from the edges that are nearer than `margin`, to that distance. A point that lies on an edge but for
+// rounding may lie behind whatever shares the edge: the next wall of a closed room, from where a ray leaves it. In a corner of less
+// than 90 degrees the offset along the normal, of an error or so, comes closer to the other wall again: INSET of them are enough
+// down to 7 degrees.
+fn inset(point: vec3<f32>, margin: f32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> vec3<f32> {
+    let raw = triangle_normal(a, b, c);
+    let up = normalize(raw / largest_of(abs(raw)));
+    return point + push(point - a, b - a, up, margin) + push(point - b, c - b, up, margin) + push(point - c, a - c, up, margin);
+}
+
+// What moves a point, given from one end of an edge, to `margin` from the edge on the triangle's side of it.
+fn push(point: vec3<f32>, edge: vec3<f32>, up: vec3<f32>, margin: f32) -> vec3<f32> {
+    let inwards = cross(up, normalize(edge / largest_of(abs(edge))));
+    return max(margin - dot(point, inwards), 0.0) * inwards;
 }
 
 // The least float above a finite x if `up`, else the greatest below.

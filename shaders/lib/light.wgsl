@@ -21,6 +21,13 @@ fn light_point(light: LightRecord, u: vec2<f32>) -> vec3<f32> {
     return light.a + b.x * (light.b - light.a) + b.y * (light.c - light.a);
 }
 
+// A point of a light moved towards the middle, so far that a ray to it hits the light however it is rounded: by a millionth of what a
+// lamp is wide, and up to the middle itself of a light that is a speck from there. `reach` is the way to it and its coordinates, added.
+fn kept_from_edges(light: LightRecord, point: vec3<f32>, reach: f32) -> vec3<f32> {
+    let middle = (light.a + light.b + light.c) / 3.0;
+    return mix(point, middle, min(abs(light.shrink) * reach, 1.0));
+}
+
 // Weight of a direction drawn with density `own`, where another way draws it with density `other` (power heuristic of exponent
 // 2; Veach 1997, section 9.2.4). `own` is above 0.
 fn power_heuristic(own: f32, other: f32) -> f32 {

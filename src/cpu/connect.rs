@@ -13,8 +13,6 @@ use crate::layout::trace::luminance;
 pub struct LightSample {
     /// Unit length.
     pub direction: DVec3,
-    /// To the point of the light, scene units; infinite for the sky.
-    pub distance: f64,
     /// By solid angle, of lights and sky together; 0 where nothing arrives.
     pub pdf: f64,
     pub radiance: DVec3,
@@ -38,7 +36,7 @@ impl Asked<'_> {
             Some(sky) if self.lights.lights.is_empty() || pick >= self.light_share => {
                 let SkySample { direction, pdf, radiance, .. } = draw_sky(sky, u);
                 let pdf = pdf * self.sky_share();
-                LightSample { direction, distance: f64::INFINITY, pdf, radiance, triangle: None }
+                LightSample { direction, pdf, radiance, triangle: None }
             }
             _ => {
                 let drawn = draw_light(self.lights, position, pick / self.light_share, u);
@@ -78,11 +76,10 @@ fn draw_light(table: &LightTable, position: DVec3, pick: f64, u: DVec2) -> Light
     let distance = offset.length();
     let direction = offset / distance;
     let raw = (b - a).cross(c - a);
-    let lit = light.sides == 2 || raw.dot(direction) < 0.0;
+    let lit = light.sides() == 2 || raw.dot(direction) < 0.0;
     let pdf = solid_angle_pdf(area_pdf(table, light), raw, direction, distance);
     LightSample {
         direction,
-        distance,
         pdf: if lit { pdf } else { 0.0 },
         radiance: light.emission.as_dvec3(),
         triangle: Some(light.triangle),
@@ -90,7 +87,7 @@ fn draw_light(table: &LightTable, position: DVec3, pick: f64, u: DVec2) -> Light
 }
 
 fn area_pdf(table: &LightTable, light: &LightRecord) -> f64 {
-    f64::from(luminance(light.emission)) * f64::from(light.sides) * f64::from(table.density)
+    f64::from(luminance(light.emission)) * f64::from(light.sides()) * f64::from(table.density)
 }
 
 /// The density by solid angle of a direction of unit length that meets a light of normal `raw`, of any length, at a distance.

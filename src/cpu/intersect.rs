@@ -5,6 +5,7 @@ use glam::{Vec2, Vec3, Vec3Swizzles};
 use super::morton::Bounds;
 use crate::layout::ray::Ray;
 
+/// What a box grows by, of its greatest coordinate and of the ray's.
 const SLAB_GROWTH: f32 = 1.0 / 1048576.0;
 const FAR_GROWTH: f32 = 1.0 + 1.0 / 1048576.0;
 const LEAST_PART: f32 = 1.0 / (1u64 << 60) as f32;
@@ -93,6 +94,13 @@ pub fn largest_axis(d: Vec3) -> usize {
     }
 }
 
+/// A triangle's box, grown by what its own coordinates ask for.
+pub fn padded_box(a: Vec3, b: Vec3, c: Vec3) -> Bounds {
+    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+    let growth = SLAB_GROWTH * high.max(-low).max_element();
+    Bounds { low: low - growth, high: high + growth }
+}
+
 /// `extent` is the greatest coordinate of the scene's box. The direction is not zero.
 pub fn prepare_query(fma: Fma, ray: &Ray, extent: f32) -> Query {
     let axis = largest_axis(ray.direction);
@@ -105,8 +113,9 @@ pub fn prepare_query(fma: Fma, ray: &Ray, extent: f32) -> Query {
     };
     let inverse = Vec3::from_array(ray.direction.to_array().map(|d| fma.reciprocal(safe(d))));
     let along = fma.reciprocal(d.z);
-    let reach = Vec3::splat(ray.origin.abs().max_element() + extent);
-    let exponent = (reach.x.to_bits() >> 23).clamp(27, 227);
+    let far = ray.origin.abs().max_element();
+    let reach = Vec3::splat(far);
+    let exponent = ((far + extent).to_bits() >> 23).clamp(27, 227);
     Query {
         fma,
         origin: ray.origin,
@@ -171,7 +180,7 @@ pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<Tr
     if (u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0) || det.abs() < LEAST_AREA {
         return None;
     }
-    let interval = slab_interval(query, Bounds { low: a.min(b).min(c), high: a.max(b).max(c) });
+    let interval = slab_interval(query, padded_box(a, b, c));
     let raw = triangle_normal(fma, a * query.unit, b * query.unit, c * query.unit);
     if interval.x > interval.y || raw == Vec3::ZERO {
         return None;
@@ -181,15 +190,31 @@ pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<Tr
     Some(TriangleHit { t: depth.max(interval.x).min(interval.y), b1: v * scale, b2: w * scale })
 }
 
+/// How many times its error a point keeps away from the edges of its triangle.
+const INSET: f32 = 16.0;
+
 /// A point of a triangle with weights `b1` and `b2` of its second and third corner, and how far each coordinate must be
 /// moved for a ray that leaves from there: the position's own error (PBRT, 4th ed., section 6.8.5), and that of the
-/// leaving ray's test of this triangle.
+/// leaving ray's test of this triangle. Away from the edges, behind which there may be a wall.
 pub fn surface_point(a: Vec3, b: Vec3, c: Vec3, b1: f32, b2: f32) -> (Vec3, Vec3) {
     let b0 = 1.0 - b1 - b2;
     let position = b0 * a + b1 * b + b2 * c;
     let rounding = 4.172_325_7e-7 * ((b0 * a).abs() + (b1 * b).abs() + (b2 * c).abs());
     let reach = b0.abs() * a.distance(position) + b1 * b.distance(position) + b2 * c.distance(position);
-    (position, rounding + Vec3::splat(4.768_371_6e-7 * reach))
+    let error = rounding + Vec3::splat(4.768_371_6e-7 * reach);
+    (inset(position, INSET * error.max_element(), [a, b, c]), error)
+}
+
+/// A point of a triangle moved away from the edges that are nearer than `margin`, to that distance.
+fn inset(point: Vec3, margin: f32, [a, b, c]: [Vec3; 3]) -> Vec3 {
+    let raw = (b - a).cross(c - a);
+    let up = (raw / raw.abs().max_element()).normalize();
+    let push = |from: Vec3, to: Vec3| {
+        let edge = to - from;
+        let inwards = up.cross((edge / edge.abs().max_element()).normalize());
+        (margin - (point - from).dot(inwards)).max(0.0) * inwards
+    };
+    point + push(a, b) + push(b, c) + push(c, a)
 }
 
 /// The least normal float above a finite `x` if `up`, else the greatest below.

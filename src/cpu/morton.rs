@@ -1,8 +1,12 @@
 //! Twins of `bounds` and `morton`: the same bits as on the GPU.
 
-use glam::Vec3;
+use glam::{UVec3, Vec3};
 
-use crate::layout::tree::{BOUNDS_WORDS, CENTROID_HIGH, CENTROID_LOW, MORTON_BITS, SCENE_HIGH, SCENE_LOW, Triangle};
+use super::intersect::padded_box;
+use crate::layout::tree::{
+    BOUNDS_WORDS, CENTROID_HIGH, CENTROID_LOW, CORE_CELLS, MORTON_BITS, OCTAVE_SHIFT, SCENE_HIGH, SCENE_LOW, Triangle,
+    core_radius,
+};
 
 /// Least and greatest corner of an axis-parallel box, in the unit of what it encloses.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +24,11 @@ impl Bounds {
         let low = triangle.a.min(triangle.b).min(triangle.c);
         let high = triangle.a.max(triangle.b).max(triangle.c);
         Self { low, high }
+    }
+
+    /// The box of one triangle, grown by what slabs ask for (`padded_box` in `lib/intersect`).
+    pub fn padded(triangle: &Triangle) -> Self {
+        padded_box(triangle.a, triangle.b, triangle.c)
     }
 
     /// The least box that encloses both.
@@ -102,16 +111,35 @@ pub fn bounds(triangles: &[Triangle]) -> SceneBounds {
     })
 }
 
-/// The 63-bit code of each triangle: bit 3i + 2 of it is bit i of the cell along x, then y, then z.
-pub fn codes(triangles: &[Triangle], centroids: Bounds) -> Vec<u64> {
-    let extents = centroids.high - centroids.low;
-    let scale = cells_per_metre(extents.max_element());
-    triangles.iter().map(|triangle| code(Bounds::of(triangle).centre() - centroids.low, scale)).collect()
+/// What [`core_radius`] says of triangles.
+pub fn core_of(triangles: &[Triangle]) -> f32 {
+    core_radius(triangles.len() as u32, |i| Bounds::of(&triangles[i as usize]).centre())
 }
 
-fn code(offset: Vec3, scale: f32) -> u64 {
-    let last_cell = ((1u32 << MORTON_BITS) - 1) as f32;
-    let cell = (offset * scale).clamp(Vec3::ZERO, Vec3::splat(last_cell)).as_uvec3();
+/// The 63-bit code of each triangle: bit 3i + 2 of it is bit i of the cell along x, then y, then z.
+pub fn codes(triangles: &[Triangle], centroids: Bounds, core: f32) -> Vec<u64> {
+    let scale = cells_per_metre((centroids.high - centroids.low).max_element());
+    let last_cell = Vec3::splat(((1u32 << MORTON_BITS) - 1) as f32);
+    let far = centroids.high.max(-centroids.low).max_element() > core;
+    let cell = |centre: Vec3| match far {
+        true => UVec3::from_array(centre.to_array().map(|x| cell_around_core(x, core))),
+        false => ((centre - centroids.low) * scale).clamp(Vec3::ZERO, last_cell).as_uvec3(),
+    };
+    triangles.iter().map(|triangle| code(cell(Bounds::of(triangle).centre()))).collect()
+}
+
+/// The cell along one axis where the scene reaches beyond its core.
+fn cell_around_core(x: f32, core: f32) -> u32 {
+    let distance = x.abs();
+    let number = match distance > core {
+        true => CORE_CELLS + ((distance.to_bits() - core.to_bits()) >> OCTAVE_SHIFT),
+        false => (distance * (CORE_CELLS as f32 / core)) as u32,
+    };
+    let middle = 1 << (MORTON_BITS - 1);
+    if x < 0.0 { middle - 1 - number } else { middle + number }
+}
+
+fn code(cell: UVec3) -> u64 {
     (0..MORTON_BITS).fold(0, |code, bit| {
         let triple = (cell.x >> bit & 1) << 2 | (cell.y >> bit & 1) << 1 | (cell.z >> bit & 1);
         code | u64::from(triple) << (3 * bit)

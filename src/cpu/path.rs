@@ -157,12 +157,10 @@ impl<'a> PathScene<'a> {
         Connection { from, light: at.value * from.radiance * share }
     }
 
-    /// Whether nothing is between a position and a light but the light itself.
+    /// Whether the first thing in the direction of a light is that light.
     fn sees(&self, position: DVec3, light: &LightSample) -> bool {
-        match self.triangles.closest(position, light.direction, 1e-9) {
-            Some(hit) => Some(hit.triangle.index) == light.triangle || hit.t >= light.distance * (1.0 - 2f64.powi(-16)),
-            None => true,
-        }
+        let hit = self.triangles.closest(position, light.direction, 1e-9);
+        hit.map(|hit| hit.triangle.index) == light.triangle
     }
 }
 

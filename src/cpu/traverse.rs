@@ -31,7 +31,7 @@ fn test_leaf(query: &Query, leaf: usize, tree: &Tree, hit: &mut Hit) {
     let Some(found) = intersect_triangle(query, triangle.a, triangle.b, triangle.c) else {
         return;
     };
-    if found.t <= query.t_min || found.t >= query.t_max {
+    if found.t <= query.t_min {
         return;
     }
     if found.t < hit.t || (found.t == hit.t && triangle.index < hit.triangle) {

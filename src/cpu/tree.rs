@@ -17,7 +17,7 @@ pub struct Tree {
 
 /// Builds the tree over triangles in scene order, as all the passes together do.
 pub fn build(triangles: &[Triangle]) -> Tree {
-    let codes = morton::codes(triangles, morton::bounds(triangles).centroids);
+    let codes = morton::codes(triangles, morton::bounds(triangles).centroids, morton::core_of(triangles));
     let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
     order.sort_by_key(|&triangle| codes[triangle as usize]);
     let sorted: Vec<u64> = order.iter().map(|&triangle| codes[triangle as usize]).collect();
@@ -33,7 +33,7 @@ pub fn leaves(triangles: &[Triangle], order: &[u32]) -> Vec<Triangle> {
 
 /// The pyramid over triangles in leaf order, level behind level; level k has floor(n / 2^k) boxes.
 pub fn pyramid(leaves: &[Triangle]) -> Vec<LeafBox> {
-    let mut level: Vec<Bounds> = leaves.iter().map(Bounds::of).collect();
+    let mut level: Vec<Bounds> = leaves.iter().map(Bounds::padded).collect();
     let mut all = level.clone();
     while level.len() > 1 {
         level = level.chunks_exact(2).map(|pair| pair[0].joined(pair[1])).collect();
@@ -67,7 +67,7 @@ pub fn nodes(codes: &[u64], leaves: &[Triangle]) -> Vec<Node> {
     for &node in downwards.iter().rev() {
         let [left, right] = [nodes[node].left, nodes[node].right].map(|child| match child & LEAF_BIT {
             0 => boxes[child as usize],
-            _ => Bounds::of(&leaves[(child & !LEAF_BIT) as usize]),
+            _ => Bounds::padded(&leaves[(child & !LEAF_BIT) as usize]),
         });
         boxes[node] = left.joined(right);
         set_boxes(&mut nodes[node], left, right);

@@ -49,19 +49,19 @@ struct Below {
 }
 
 /// Checks a tree entirely: each leaf and each node is below the root exactly once, parents' words, numbers of leaves, their
-/// order, and that each child's box equals what its triangles span.
+/// order, and that each child's box equals what its triangles' padded boxes span.
 pub fn measure(leaves: &[Triangle], nodes: &[Node]) -> Result<TreeMeasure, TreeFault> {
     if nodes.len() != leaves.len().saturating_sub(1) {
         return Err(TreeFault::NodeCount { leaves: leaves.len(), nodes: nodes.len() });
     }
     check_permutation(leaves)?;
-    let leaf = |index: u32| Below { bounds: Bounds::of(&leaves[index as usize]), first: index, last: index };
+    let leaf = |index: u32| Below { bounds: Bounds::padded(&leaves[index as usize]), first: index, last: index };
     if nodes.is_empty() {
         return Ok(TreeMeasure { depth: 0, sah: leaves.len() as f64 });
     }
     let (downwards, depth) = walk(leaves.len(), nodes)?;
     let mut below = vec![leaf(0); nodes.len()];
-    let mut areas = leaves.iter().map(|triangle| Bounds::of(triangle).half_area()).sum::<f64>();
+    let mut areas = leaves.iter().map(|triangle| Bounds::padded(triangle).half_area()).sum::<f64>();
     for &index in downwards.iter().rev() {
         let node = &nodes[index as usize];
         let [left, right] = [node.left, node.right].map(|child| match child & LEAF_BIT {

@@ -75,7 +75,7 @@ impl TriangleSet {
         self.split(middle..range.end);
     }
 
-    /// The hit of least t above `t_min`.
+    /// The hit of least (t, triangle) of those with t above `t_min`.
     pub fn closest(&self, origin: DVec3, direction: DVec3, t_min: f64) -> Option<HitF64<'_>> {
         let mut best: Option<HitF64> = None;
         let mut stack = vec![0; usize::from(!self.nodes.is_empty())];
@@ -91,7 +91,7 @@ impl TriangleSet {
             for triangle in &self.triangles[node.range.clone()] {
                 if let Some(hit) = intersect(triangle, origin, direction)
                     && hit.t > t_min
-                    && best.is_none_or(|old| hit.t < old.t)
+                    && best.is_none_or(|old| (hit.t, hit.triangle.index) < (old.t, old.triangle.index))
                 {
                     best = Some(hit);
                 }

@@ -23,8 +23,9 @@ gpu_struct! {
         pub triangle: u32,
         /// Emitted radiance, linear Rec.709.
         pub emission: Vec3,
-        /// Sides that emit: 1 the front alone, or 2.
-        pub sides: u32,
+        /// By which part of itself the light is drawn smaller for a unit of the way to it, lest rays miss it by their rounding; below 0
+        /// where the front alone emits.
+        pub shrink: f32,
     }
 }
 
@@ -50,7 +51,8 @@ impl LightTable {
             if power > 0.0 && power.is_finite() {
                 let Triangle { a, b, c, index, .. } = triangle;
                 let emission = record.emission;
-                lights.push(LightRecord { a, b, c, triangle: index, emission, sides, ..LightRecord::default() });
+                let shrink = shrink_of(&triangle).copysign(if sides == 1 { -1.0 } else { 1.0 });
+                lights.push(LightRecord { a, b, c, triangle: index, emission, shrink, ..LightRecord::default() });
                 powers.push(power);
             }
         }
@@ -63,6 +65,24 @@ impl LightTable {
             false => Self { lights, density },
         }
     }
+}
+
+impl LightRecord {
+    /// Sides that emit: 1 the front alone, or 2.
+    pub fn sides(&self) -> u32 {
+        if self.shrink < 0.0 { 1 } else { 2 }
+    }
+}
+
+/// How far, by the distance, a ray may pass from the point that it is aimed at: 2^-20 is more than the roundings of its direction and of
+/// a triangle's test come to.
+const MISSED: f32 = 1.0 / 1_048_576.0;
+
+/// [`MISSED`] by the radius of the inscribed circle; finite and above 0.
+fn shrink_of(triangle: &Triangle) -> f32 {
+    let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(Vec3::as_dvec3);
+    let around = a.distance(b) + b.distance(c) + c.distance(a);
+    (MISSED * (around / (2.0 * area(triangle))) as f32).clamp(f32::MIN_POSITIVE, f32::MAX)
 }
 
 /// Scene units squared.

@@ -13,7 +13,7 @@ gpu_consts! {
 }
 
 gpu_struct! {
-    /// The points `origin + t * direction` with `t_min < t < t_max`.
+    /// The points `origin + t * direction` with `t_min < t <= t_max`.
     ///
     /// The direction need not be of unit length, but its largest component is within 2^-20 and 2^20; coordinates stay
     /// below 2^40. A ray without direction hits nothing.

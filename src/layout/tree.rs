@@ -25,6 +25,10 @@ gpu_consts! {
 
     /// Bits of a Morton code along each axis.
     pub const MORTON_BITS: u32 = 21;
+    /// Cells from the origin to [`BuildParams::core`], in a scene that reaches beyond that.
+    pub const CORE_CELLS: u32 = 0x8_0000;
+    /// By how many bits a float's bits are shifted to number the cells beyond the core: 2^11 cells an octave.
+    pub const OCTAVE_SHIFT: u32 = 12;
     /// Triangles that each thread of the bounds pass reads.
     pub const BOUNDS_PER_THREAD: u32 = 8;
     /// Levels of the pyramid of boxes that one dispatch builds.
@@ -84,6 +88,8 @@ gpu_struct! {
     pub struct BuildParams {
         /// Number of triangles.
         pub count: u32,
+        /// What [`core_radius`] says of them, scene units.
+        pub core: f32,
     }
 }
 
@@ -109,4 +115,29 @@ pub fn root(count: u32) -> u32 {
 /// Number of nodes of a tree over `count` triangles.
 pub fn node_count(count: u32) -> u32 {
     count.saturating_sub(1)
+}
+
+/// Triangles that [`core_radius`] looks at, at most.
+const SAMPLED: u32 = 4096;
+
+/// One in so many triangles lies within what [`core_radius`] takes for the size of the scene.
+const INNERMOST: usize = 256;
+
+/// The distance from the origin up to which Morton cells are of one size: a power of two, so that cells are found without rounding.
+///
+/// It is 256 times the distance, by the greatest coordinate, within which one of 256 triangles has its centre: more than
+/// any scene has that fills its box, of volumes, surfaces or a line. So cells are the box's there; but where a few things, or a sky's
+/// dome, are a million times farther than all else, that is not all in one cell. `centre_of` is asked for some 4096 of the triangles,
+/// spread evenly over `count`.
+pub fn core_radius(count: u32, centre_of: impl FnMut(u32) -> Vec3) -> f32 {
+    let samples = count.min(SAMPLED);
+    let index = |i: u32| (u64::from(i) * u64::from(count) / u64::from(samples)) as u32;
+    let mut distances: Vec<f32> = (0..samples).map(index).map(centre_of).map(|c| c.abs().max_element()).collect();
+    if distances.is_empty() {
+        return f32::MIN_POSITIVE;
+    }
+    let (_, inner, _) = distances.select_nth_unstable_by(samples as usize / INNERMOST, f32::total_cmp);
+    // The power of two above it, times 2^8, of what a float can be.
+    let exponent = ((inner.to_bits() >> 23) + 9).clamp(1, 254);
+    f32::from_bits(exponent << 23)
 }

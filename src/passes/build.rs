@@ -110,16 +110,17 @@ pub fn buffers(n: u32) -> Vec<(&'static str, u64)> {
     all
 }
 
-/// Records the whole way from `triangles`, of which there are `n`, to `leaves` and `nodes`.
-pub fn record(recording: &mut Recording, n: u32) {
+/// Records the whole way from `triangles`, of which there are `n`, to `leaves` and `nodes`. `core` is what
+/// [`core_radius`](crate::layout::tree::core_radius) says of them.
+pub fn record(recording: &mut Recording, n: u32, core: f32) {
     assert!(n <= MOST_TRIANGLES, "{n} triangles are more than a tree can hold");
-    record_codes(recording, n);
+    record_codes(recording, n, core);
     record_tree(recording, n);
 }
 
 /// Records what comes before the sort: `centroid_bounds`, `keys` and `payload`.
-pub fn record_codes(recording: &mut Recording, n: u32) {
-    let params = BuildParams { count: n };
+pub fn record_codes(recording: &mut Recording, n: u32, core: f32) {
+    let params = BuildParams { count: n, core };
     clear(recording, "centroid_bounds", 0, BOUNDS_WORDS);
     let groups = n.div_ceil(BOUNDS_GROUP * BOUNDS_PER_THREAD);
     recording.run(&BOUNDS, Size::Groups([groups, 1, 1])).params(&params);
@@ -128,7 +129,7 @@ pub fn record_codes(recording: &mut Recording, n: u32) {
 
 /// Records the sort of `keys` and `payload`, and what comes after it.
 pub fn record_tree(recording: &mut Recording, n: u32) {
-    let params = BuildParams { count: n };
+    let params = BuildParams { count: n, ..BuildParams::default() };
     sort::record(recording, n);
     recording.run(&LEAVES, Size::Items(u64::from(n))).params(&params);
     for (source, count) in levels(n).step_by(PYRAMID_LEVELS as usize) {

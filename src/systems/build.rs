@@ -3,19 +3,19 @@
 use bevy_ecs::prelude::*;
 
 use super::Phase;
-use super::state::{Dirty, Frame, PackedScene, TreeBuilder, no_fault};
+use super::state::{Dirty, Frame, MeshSlot, PackedScene, TreeBuilder, no_fault};
 use crate::cpu;
 use crate::gpu::{GpuError, Runtime};
-use crate::layout::tree::Triangle;
+use crate::layout::tree::{Triangle, core_radius};
 use crate::passes::{Recording, build};
 
 pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(build_changed_tree.in_set(Phase::Build).run_if(no_fault));
 }
 
-fn build_changed_tree(mut frame: ResMut<Frame>, scene: Res<PackedScene>, dirty: Res<Dirty>) {
+fn build_changed_tree(mut frame: ResMut<Frame>, scene: Res<PackedScene>, dirty: Res<Dirty>, meshes: Query<&MeshSlot>) {
     if dirty.tree {
-        build::record(&mut frame.build, scene.triangles);
+        build::record(&mut frame.build, scene.triangles, core_of(&scene, &meshes));
     }
 }
 
@@ -36,4 +36,13 @@ pub(super) fn make_tree(
     device.play(recording)?;
     device.wait()?;
     device.check_loops()
+}
+
+/// What [`core_radius`] says of the scene's triangles.
+fn core_of(scene: &PackedScene, meshes: &Query<&MeshSlot>) -> f32 {
+    let slots: Vec<&MeshSlot> = scene.meshes.iter().filter_map(|entity| meshes.get(*entity).ok()).collect();
+    core_radius(scene.triangles, |triangle| {
+        let slot = slots[slots.partition_point(|slot| slot.first + slot.count <= triangle)];
+        slot.centre(triangle - slot.first, scene.origin)
+    })
 }

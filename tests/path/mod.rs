@@ -1,10 +1,12 @@
 //! The path kernel against its f64 twin, and in rooms whose answer is known.
 
 mod batches;
+mod corners;
 mod faults;
 mod known;
 mod means;
 mod twin;
+mod visibility;
 
 use std::collections::BTreeSet;
 

@@ -35,7 +35,7 @@ fn extend_brute(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups
             count = load_node(params.root).leaves;
         }
         for (var leaf = 0u; leaf < count; leaf += 1u) {
-            test_leaf(query, leaf, NO_HIT, &hit);
+            test_leaf(query, leaf, &hit);
         }
     }
     hits[index] = hit;

@@ -85,7 +85,7 @@ fn fill_boxes(tree: &mut Tree) {
     for i in (0..tree.nodes.len()).rev() {
         let of = |child: u32| match child & LEAF_BIT {
             0 => boxes[child as usize],
-            _ => Bounds::of(&tree.leaves[(child & !LEAF_BIT) as usize]),
+            _ => Bounds::padded(&tree.leaves[(child & !LEAF_BIT) as usize]),
         };
         let (left, right) = (of(tree.nodes[i].left), of(tree.nodes[i].right));
         let along = |axis: usize| Vec4::new(left.low[axis], left.high[axis], right.low[axis], right.high[axis]);

@@ -1,11 +1,13 @@
 // 63-bit Morton codes of the triangles' centroids, with the triangle's index beside each.
 //
 // All axes share one scale, that of the longest: cells are cubes, so a split is always across a long side of its cell,
-// and a thin axis spends no bits on slabs that are much thinner than wide.
+// and a thin axis spends no bits on slabs that are much thinner than wide. In a scene with something far beyond its core, the cells
+// are the core's, and grow with the distance from there on: else all but that one thing would lie in one.
 //
 // Every operation here is exact or correctly rounded, and no product meets a sum: the CPU twin gives the same bits.
 
-import package::gen::{BuildParams, MORTON_BITS, Triangle};
+import package::gen::{BuildParams, CORE_CELLS, MORTON_BITS, OCTAVE_SHIFT, Triangle};
+import package::lib::math::{largest_of};
 import package::lib::ordered::{greatest_corner, least_corner};
 
 @group(0) @binding(0) var<storage, read> triangles: array<Triangle>;
@@ -28,6 +30,17 @@ fn cells_per_metre(extent: f32) -> f32 {
     let significand = 0x8000u + ((bits & 0x7fffffu) >> 8u) + 1u;
     let quotient = 0xffffffffu / significand;
     return f32(quotient) * bitcast<f32>((MORTON_BITS + 237u - exponent) << 23u);
+}
+
+// The cell of a scene that reaches beyond its core: numbered from the origin, half of them on either side; linear within the core
+// (a product with a power of two), then by the bits of the float, so that each octave has as many.
+fn cell_around_core(x: f32, core: f32) -> u32 {
+    let distance = abs(x);
+    let inside = u32(min(distance, core) * (f32(CORE_CELLS) / core));
+    let outside = CORE_CELLS + ((bitcast<u32>(max(distance, core)) - bitcast<u32>(core)) >> OCTAVE_SHIFT);
+    let number = select(inside, outside, distance > core);
+    let middle = 1u << (MORTON_BITS - 1u);
+    return select(middle + number, middle - 1u - number, x < 0.0);
 }
 
 // Bit i of the lower ten goes to bit 3i.
@@ -62,15 +75,22 @@ fn morton(
         return;
     }
     let least = least_corner(centroid_bounds[0].xyz);
-    let extents = greatest_corner(centroid_bounds[1].xyz) - least;
-    let scale = cells_per_metre(max(max(extents.x, extents.y), extents.z));
+    let greatest = greatest_corner(centroid_bounds[1].xyz);
+    let scale = cells_per_metre(largest_of(greatest - least));
 
     let triangle = triangles[index];
     let low = min(min(triangle.a, triangle.b), triangle.c);
     let high = max(max(triangle.a, triangle.b), triangle.c);
     let centroid = (low + high) * 0.5;
     let last_cell = f32((1u << MORTON_BITS) - 1u);
-    let cell = clamp((centroid - least) * scale, vec3<f32>(0.0), vec3<f32>(last_cell));
-    keys[index] = morton_code(vec3<u32>(cell));
+    var cell = vec3<u32>(clamp((centroid - least) * scale, vec3<f32>(0.0), vec3<f32>(last_cell)));
+    if (largest_of(max(-least, greatest)) > params.core) {
+        cell = vec3<u32>(
+            cell_around_core(centroid.x, params.core),
+            cell_around_core(centroid.y, params.core),
+            cell_around_core(centroid.z, params.core),
+        );
+    }
+    keys[index] = morton_code(cell);
     payload[index] = index;
 }

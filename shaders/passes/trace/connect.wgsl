@@ -4,7 +4,7 @@ import package::gen::{TraceParams, NO_HIT};
 @if(lights) import package::gen::{LightRecord, MATERIAL_ONE_SIDED, MaterialRecord};
 @if(lights) import package::lib::alias::{alias_pick};
 @if(lights) import package::lib::intersect::{triangle_normal};
-@if(lights) import package::lib::light::{light_area_pdf, light_point};
+@if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point};
 @if(lights) import package::lib::math::{largest_of};
 @if(sky_light) import package::passes::trace::sky::{draw_sky, sky_pdf};
 
@@ -20,9 +20,13 @@ fn load_light(index: u32) -> LightRecord {
     let emission = lights[at + 3u];
     return LightRecord(
         bitcast<vec3<f32>>(a.xyz), bitcast<f32>(a.w), bitcast<vec3<f32>>(b.xyz), b.w,
-        bitcast<vec3<f32>>(c.xyz), c.w, bitcast<vec3<f32>>(emission.xyz), emission.w,
+        bitcast<vec3<f32>>(c.xyz), c.w, bitcast<vec3<f32>>(emission.xyz), bitcast<f32>(emission.w),
     );
 }
+
+// How far from the way to a light, as part of it, the t may be at which its own test finds it: many roundings, unless the light is so
+// edge-on that it sends next to nothing.
+const AROUND_LIGHT: f32 = 0x1p-12;
 
 // Light that arrives at a point from one drawn direction.
 struct LightSample {
@@ -35,6 +39,8 @@ struct LightSample {
     triangle: u32,
     // Where it leaves that triangle.
     point: vec3<f32>,
+    // How far a ray to it goes, as part of the way: to just beyond it, so that its triangle is hit, or to just before it.
+    end: f32,
 }
 
 // The density by solid angle of a direction of unit length that meets a light of normal `raw`, of any length, at distance `t`.
@@ -60,23 +66,32 @@ fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f3
     let drawn = alias_pick(pick, params.lights);
     let column = load_light(drawn.column);
     let light = load_light(select(column.other, drawn.column, drawn.rest < column.threshold));
-    let point = light_point(light, u);
+    let drawn_point = light_point(light, u);
     let raw = triangle_normal(light.a, light.b, light.c);
+    // What rounding of the point and of the ray to it is a part of.
+    let reach = distance(drawn_point, position) + largest_of(abs(drawn_point));
+    let point = kept_from_edges(light, drawn_point, reach);
     let offset = point - position;
     let t = length(offset);
     if (t == 0.0) {
-        return LightSample(vec3<f32>(0.0), 0.0, vec3<f32>(0.0), light.triangle, point);
+        return LightSample(vec3<f32>(0.0), 0.0, vec3<f32>(0.0), light.triangle, point, 0.0);
     }
     let direction = offset / t;
-    let lit = light.sides == 2u || dot(raw, direction) < 0.0;
-    let pdf = solid_angle_pdf(light_area_pdf(light.emission, light.sides, params.light_density), raw, direction, t);
-    return LightSample(direction, select(0.0, pdf, lit), light.emission, light.triangle, point);
+    let one_sided = light.shrink < 0.0;
+    let lit = !one_sided || dot(raw, direction) < 0.0;
+    let area_pdf = light_area_pdf(light.emission, select(2u, 1u, one_sided), params.light_density);
+    let pdf = solid_angle_pdf(area_pdf, raw, direction, t);
+    // A speck, or a light so edge-on that rays to it meet its neighbour by their rounding, is looked at from just before it.
+    let cos_light = abs(dot(normalize(raw / largest_of(abs(raw))), direction));
+    let is_speck = abs(light.shrink) * reach > 0.5 * cos_light;
+    let end = 1.0 + select(AROUND_LIGHT, -AROUND_LIGHT, is_speck);
+    return LightSample(direction, select(0.0, pdf, lit), light.emission, light.triangle, point, end);
 }
 
 @if(sky_light)
 fn draw_from_sky(params: TraceParams, u: vec2<f32>) -> LightSample {
     let drawn = draw_sky(vec2<u32>(params.sky_width, params.sky_height), u);
-    return LightSample(drawn.direction, sky_pdf(drawn.radiance, params.sky_density), drawn.radiance, NO_HIT, vec3<f32>(0.0));
+    return LightSample(drawn.direction, sky_pdf(drawn.radiance, params.sky_density), drawn.radiance, NO_HIT, vec3<f32>(0.0), 0.0);
 }
 
 // Light at a position. `pick` chooses the light, `u` the point on it.

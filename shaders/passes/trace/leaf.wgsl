@@ -4,11 +4,11 @@ import package::gen::{Hit};
 import package::lib::intersect::{Query, intersect_triangle};
 import package::passes::trace::scene::{load_leaf};
 
-// Makes the triangle of a leaf the hit if it is nearer, or as near and of lower index; never triangle `except`.
-fn test_leaf(query: Query, leaf: u32, except: u32, hit: ptr<function, Hit>) {
+// Makes the triangle of a leaf the hit if it comes before the hit so far: if it is nearer, or as near and of lower index.
+fn test_leaf(query: Query, leaf: u32, hit: ptr<function, Hit>) {
     let triangle = load_leaf(leaf);
     let found = intersect_triangle(query, triangle.a, triangle.b, triangle.c);
-    if !found.hit || found.t <= query.t_min || found.t >= query.t_max || triangle.index == except {
+    if !found.hit || found.t <= query.t_min {
         return;
     }
     if found.t < (*hit).t || (found.t == (*hit).t && triangle.index < (*hit).triangle) {

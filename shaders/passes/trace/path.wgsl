@@ -22,7 +22,7 @@ import package::lib::intersect::{offset_ray_origin, surface_point, triangle_norm
 import package::lib::math::{largest_of};
 import package::lib::rng::{sample_2d, sample_4d};
 @if(normals) import package::lib::normals::{bent_to_viewer, interpolate_normal};
-@if(lights || sky_light) import package::passes::trace::connect::{LightSample, draw_light};
+@if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, LightSample, draw_light};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 import package::passes::trace::scene::{load_leaf, scene_extent};
 @if(sky || sky_light) import package::passes::trace::sky::{sky_radiance};
@@ -99,9 +99,9 @@ fn segment_ray(state: PathState) -> Ray {
 }
 
 // The ray of a path: a segment of it, or a look at a light.
-fn extend(state: ptr<function, PathState>, ray: Ray, extent: f32, looking: bool, except: u32) -> Hit {
+fn extend(state: ptr<function, PathState>, ray: Ray, extent: f32, enough: f32) -> Hit {
     (*state).rays += 1u;
-    return traverse(ray, params.root, extent, looking, except);
+    return traverse(ray, params.root, extent, enough);
 }
 
 // Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel, as it would be
@@ -147,13 +147,17 @@ fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
     return alive;
 }
 
-// A look at a light: nothing may lie between the ends of the ray but the light itself.
+// A look at a light. The light is seen if no other triangle comes before it in the order of hits: the question that a path's segment
+// asks, so that both ways of finding a light see the same scene, however close to the light something lies.
 @if(lights || sky_light)
 struct Connection {
+    // To just beyond the light, or just before a speck of one.
     ray: Ray,
-    // What it adds to the pixel if nothing does; 0 where there is no use in looking.
+    // What is hit nearer than this hides the light for certain, and ends the walk.
+    enough: f32,
+    // What it adds to the pixel if that is seen; 0 where there is no use in looking.
     light: vec3<f32>,
-    // The light's own triangle, or NO_HIT.
+    // The light's triangle, or NO_HIT.
     triangle: u32,
 }
 
@@ -169,10 +173,12 @@ fn connect(state: ptr<function, PathState>, surface: Surface, pick: f32) -> Conn
     }
     let origin = offset_ray_origin(surface.position, surface.error, surface.facing.geometric, drawn.direction);
     if (drawn.triangle == NO_HIT) {
-        return Connection(Ray(origin, 0.0, drawn.direction, T_FAR), light, NO_HIT);
+        return Connection(Ray(origin, 0.0, drawn.direction, T_FAR), T_FAR, light, NO_HIT);
     }
-    // Up to the point itself, less what the distance to whatever it lies on may be rounded by.
-    return Connection(Ray(origin, 0.0, drawn.point - origin, 1.0 - 0x1p-16), light, drawn.triangle);
+    let offset = drawn.point - origin;
+    // Of unit length like the ray of a segment, whose t is rounded so.
+    let far = max(length(offset), 0x1p-100);
+    return Connection(Ray(origin, 0.0, offset / far, far * drawn.end), far * (1.0 - AROUND_LIGHT), light, drawn.triangle);
 }
 
 // The surface at the end of a ray.
@@ -278,10 +284,10 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
         var alive = true;
         var connection: Connection;
         for (var i = 0u; i < 2u * params.max_depth; i++) {
-            let hit = extend(&state, ray, extent, looking, select(NO_HIT, connection.triangle, looking));
+            let hit = extend(&state, ray, extent, select(0.0, connection.enough, looking));
             if (looking) {
                 looking = false;
-                if (hit.triangle == NO_HIT) {
+                if (hit.triangle == connection.triangle || hit.triangle == NO_HIT) {
                     alive = gather(&state, connection.light, NO_MATERIAL) && alive;
                 }
             } else {
@@ -301,7 +307,7 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     @if(!lights && !sky_light) {
         for (var segment = 0u; segment < params.max_depth; segment++) {
-            let hit = extend(&state, segment_ray(state), extent, false, NO_HIT);
+            let hit = extend(&state, segment_ray(state), extent, 0.0);
             if (!shade(&state, hit).alive) {
                 break;
             }

@@ -15,21 +15,20 @@ import package::passes::trace::scene::{scene_extent};
 @if(!software) import package::passes::trace::walk::{walk};
 @if(software) import package::passes::trace::walk_flat::{walk};
 
-// The hit of least (t, triangle), or, where `any`, some hit: the walk ends at its first. Triangle `except` is passed through.
-// `extent` is that of scene_extent(). Leaves are tested as soon as their parent is visited, nearer first, and only nodes
-// wait on the stack.
-fn traverse(ray: Ray, root: u32, extent: f32, any: bool, except: u32) -> Hit {
+// The hit of least (t, triangle), or some hit that is nearer than `enough`: the walk ends at its first such. `extent` is that of
+// scene_extent(). Leaves are tested as soon as their parent is visited, nearer first, and only nodes wait on the stack.
+fn traverse(ray: Ray, root: u32, extent: f32, enough: f32) -> Hit {
     // A ray that leads nowhere has nowhere to begin.
     let begin = select(root, NO_ROOT, all(ray.direction == vec3(0.0)));
-    return walk(prepare_query(ray, extent), begin, any, except);
+    return walk(prepare_query(ray, extent), begin, enough);
 }
 
 // The hit of least (t, triangle).
 fn closest_hit(ray: Ray, root: u32) -> Hit {
-    return traverse(ray, root, scene_extent(root), false, NO_HIT);
+    return traverse(ray, root, scene_extent(root), 0.0);
 }
 
 // Whether anything lies between the ray's ends.
 fn any_hit(ray: Ray, root: u32) -> bool {
-    return traverse(ray, root, scene_extent(root), true, NO_HIT).triangle != NO_HIT;
+    return traverse(ray, root, scene_extent(root), ray.t_max).triangle != NO_HIT;
 }

@@ -66,7 +66,7 @@ fn visit_node(query: Query, index: u32, t: f32) -> Visit {
 }
 
 // From `root`; nowhere, if that is NO_ROOT. See package::passes::trace::traverse.
-fn walk(query: Query, root: u32, any: bool, except: u32) -> Hit {
+fn walk(query: Query, root: u32, enough: f32) -> Hit {
     var hit = Hit(query.t_max, NO_HIT, 0u, 0.0, 0.0, 0u);
     var stack: array<u32, STACK_SIZE>;
     // Entries pushed and not popped, and how many of them, from the oldest, were forgotten.
@@ -102,10 +102,10 @@ fn walk(query: Query, root: u32, any: bool, except: u32) -> Hit {
             }
         }
         if visit.first_leaf != NO_ROOT {
-            test_leaf(query, visit.first_leaf & ~LEAF_BIT, except, &hit);
+            test_leaf(query, visit.first_leaf & ~LEAF_BIT, &hit);
             visit.first_leaf = visit.second_leaf;
             visit.second_leaf = NO_ROOT;
-            walking = !(any && hit.triangle != NO_HIT);
+            walking = hit.t >= enough;
         }
     }
     return hit;

@@ -51,7 +51,7 @@ fn look_at(query: Query, index: u32, below: u32, t: f32) -> Walk {
 }
 
 // From `root`; nowhere, if that is NO_ROOT. See package::passes::trace::traverse.
-fn walk(query: Query, root: u32, any: bool, except: u32) -> Hit {
+fn walk(query: Query, root: u32, enough: f32) -> Hit {
     var hit = Hit(query.t_max, NO_HIT, 0u, 0.0, 0.0, 0u);
     var stack: array<u32, STACK_SIZE>;
     // Entries pushed and not popped, and how many of them, from the oldest, were forgotten.
@@ -94,10 +94,10 @@ fn walk(query: Query, root: u32, any: bool, except: u32) -> Hit {
             }
         }
         if walk.first_leaf != NO_ROOT {
-            test_leaf(query, walk.first_leaf & ~LEAF_BIT, except, &hit);
+            test_leaf(query, walk.first_leaf & ~LEAF_BIT, &hit);
             walk.first_leaf = walk.second_leaf;
             walk.second_leaf = NO_ROOT;
-            walking = !(any && hit.triangle != NO_HIT);
+            walking = hit.t >= enough;
         }
         continuing {
             break if !walking;

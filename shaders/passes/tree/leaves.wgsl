@@ -1,6 +1,7 @@
 // Triangles in the order of their sorted codes, and the box of each: level 0 of the pyramid.
 
 import package::gen::{BuildParams, LeafBox, SORT_IN_BACK, SortPlan, Triangle};
+import package::lib::intersect::{padded_box};
 
 @group(0) @binding(0) var<storage, read> triangles: array<Triangle>;
 @group(0) @binding(1) var<storage, read> sort_plan: SortPlan;
@@ -31,7 +32,6 @@ fn gather_leaves(
     }
     let triangle = triangles[sorted_triangle(leaf)];
     leaves[leaf] = triangle;
-    let low = min(min(triangle.a, triangle.b), triangle.c);
-    let high = max(max(triangle.a, triangle.b), triangle.c);
-    boxes[leaf] = LeafBox(vec4<f32>(low, 0.0), vec4<f32>(high, 0.0));
+    let own = padded_box(triangle.a, triangle.b, triangle.c);
+    boxes[leaf] = LeafBox(vec4<f32>(own.low, 0.0), vec4<f32>(own.high, 0.0));
 }

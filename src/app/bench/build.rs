@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{BenchError, BenchReport, Case, measure, measure_unstamped, spheres};
+use crate::cpu::morton;
 use crate::cpu::tree::{self, Tree};
 use crate::cpu::tree_check::{self, TreeMeasure};
 use crate::gpu::{Gpu, Runtime};
@@ -34,7 +35,7 @@ fn case(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Case, BenchError> {
     }
     rig.upload("triangles", &triangles)?;
     let mut whole = Recording::default();
-    build::record(&mut whole, count);
+    build::record(&mut whole, count, morton::core_of(&triangles));
 
     let nothing = Recording::default();
     let mut rows = measure(&mut rig, &nothing, &whole, runs)?;

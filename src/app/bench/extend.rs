@@ -6,6 +6,7 @@ use glam::{Vec2, Vec3};
 
 use super::{BenchError, BenchReport, Case, measure, spheres};
 use crate::cpu::intersect::{Fma, offset_ray_origin, surface_point, triangle_normal};
+use crate::cpu::morton;
 use crate::cpu::traverse::closest_hit;
 use crate::cpu::tree::Tree;
 use crate::gpu::{Gpu, Runtime};
@@ -43,7 +44,7 @@ fn scene(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Vec<Case>, BenchError>
         rig.reserve(name, bytes)?;
     }
     let mut building = Recording::default();
-    build::record(&mut building, count);
+    build::record(&mut building, count, morton::core_of(&triangles));
     rig.play(&building)?;
     let tree = Tree {
         leaves: rig.read_some("leaves", count as usize)?,

@@ -136,6 +136,14 @@ fn choose_origin(low: DVec3, high: DVec3) -> DVec3 {
 }
 
 impl MeshSlot {
+    /// The centre of the box of one of the mesh's triangles, relative to the scene's origin.
+    pub fn centre(&self, triangle: u32, origin: DVec3) -> Vec3 {
+        let corners = self.geometry.triangles[triangle as usize]
+            .map(|i| (self.transform.0.transform_point3(self.geometry.positions[i as usize]) - origin).as_vec3());
+        let [a, b, c] = corners;
+        (a.min(b).min(c) + a.max(b).max(c)) * 0.5
+    }
+
     /// The mesh's triangles, relative to the scene's origin: f64 until the last step.
     pub fn triangles(&self, origin: DVec3) -> impl Iterator<Item = Triangle> {
         let mesh = &*self.geometry;
