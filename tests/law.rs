@@ -62,16 +62,17 @@ fn wgpu_and_naga_stay_where_they_belong() {
 
 #[test]
 fn modules_know_only_what_is_below_them() {
-    let modules = ["app", "components", "cpu", "gpu", "layout", "passes", "scene", "shader", "systems"];
-    let below: [(&str, &[&str]); 8] = [
+    let modules = ["app", "components", "cpu", "files", "gpu", "layout", "passes", "scene", "shader", "systems"];
+    let below: [(&str, &[&str]); 9] = [
         ("components", &[]),
         ("layout", &[]),
-        ("scene", &["components"]),
-        ("shader", &["layout"]),
+        ("files", &[]),
+        ("scene", &["components", "files"]),
+        ("shader", &["files", "layout"]),
         ("passes", &["layout"]),
         ("cpu", &["components", "layout"]),
         ("gpu", &["layout", "shader", "passes"]),
-        ("systems", &["components", "cpu", "gpu", "layout", "passes", "scene", "shader"]),
+        ("systems", &["components", "cpu", "files", "gpu", "layout", "passes", "scene", "shader"]),
     ];
     for (module, allowed) in below {
         for path in sources(&Path::new("src").join(module)) {

@@ -8,6 +8,7 @@ use super::load::load;
 use super::mtl::read_mtl;
 use super::obj::read_obj;
 use super::text::cannot_read;
+use crate::files;
 
 /// What a check has read and found.
 #[derive(Clone, Debug, Default)]
@@ -23,8 +24,7 @@ pub struct Checked {
 pub fn check(path: &Path) -> Checked {
     let mut checked = Checked::default();
     if path.is_dir() && !is_asset(path) {
-        collect(path, 0, &mut checked);
-        checked.files.sort();
+        collect(path, &mut checked);
         if checked.files.is_empty() && !checked.diagnostics.has_errors() {
             let warning = Diagnostic::file(Severity::Warning, path, "there is no asset in this folder");
             checked.diagnostics.push(warning.help(KINDS));
@@ -46,23 +46,14 @@ pub fn check(path: &Path) -> Checked {
 /// What can be checked.
 const KINDS: &str = "assets are .ron (scenes), .obj (models) and .mtl (materials)";
 
-/// Folders below a folder that are looked into: links could go round in circles.
-const MAX_DEPTH: usize = 16;
-
 /// Adds the asset files of a folder and those below it.
-fn collect(folder: &Path, depth: usize, checked: &mut Checked) {
-    let entries = match std::fs::read_dir(folder) {
-        Ok(entries) => entries,
-        Err(error) => return checked.diagnostics.push(cannot_read(folder, &error)),
-    };
-    for path in entries.flatten().map(|entry| entry.path()) {
-        if path.is_dir() {
-            if depth < MAX_DEPTH {
-                collect(&path, depth + 1, checked);
-            }
-        } else if is_asset(&path) {
-            checked.files.push(path);
+fn collect(folder: &Path, checked: &mut Checked) {
+    match files::walk(folder, files::DEEPEST, is_asset) {
+        Ok(found) => {
+            checked.files = found.files;
+            checked.diagnostics.list.extend(found.unread.iter().map(|(path, error)| cannot_read(path, error)));
         }
+        Err(error) => checked.diagnostics.push(cannot_read(folder, &files::explained(folder, error))),
     }
 }
 

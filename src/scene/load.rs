@@ -12,7 +12,7 @@ use super::obj::{Model, read_obj};
 use super::picture::read_picture;
 use super::ron::{Reader, apply_defines, define_texts, parse};
 use super::suggest::known_names;
-use super::text::Text;
+use super::text::{Text, missing};
 use crate::components::{Camera, Environment, Film, Material, MeshData, Render, Transform};
 
 /// Bytes that a scene file may have.
@@ -191,8 +191,8 @@ impl Loader {
             let message = format!("`{}` is no .obj file: models are read from OBJ files only", entry.path);
             return self.diagnostics.push(Diagnostic { message, ..entry.place.clone() });
         }
-        if !path.exists() && entry.place.line > 0 {
-            let message = format!("there is no file `{}`", path.display());
+        if !path.is_file() && entry.place.line > 0 {
+            let message = missing("file", &path);
             self.files.push(path);
             let help = "the path is relative to the folder of the scene file";
             return self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help(help));

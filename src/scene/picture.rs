@@ -26,7 +26,7 @@ pub struct PictureOfLight {
 
 /// Reads a picture; says why if it can't be used.
 pub fn read_picture(path: &Path) -> Result<PictureOfLight, String> {
-    let start = std::fs::File::open(path).and_then(|mut file| {
+    let start = crate::files::open_regular(path).and_then(|mut file| {
         let mut start = [0; 4];
         std::io::Read::read(&mut file, &mut start).map(|_| start)
     });

@@ -1,5 +1,7 @@
 //! The command line, by running it: exit codes, one message a mistake, and files that are whole.
 
+#[cfg(unix)]
+mod no_files;
 mod refusals;
 mod render;
 

@@ -12,6 +12,7 @@ use image::{ColorType, DynamicImage, ImageDecoder, Limits};
 use super::exr::ExrFile;
 use crate::components::{Crop, Film};
 use crate::cpu::display::srgb_decode;
+use crate::files;
 
 /// Linear Rec.709 radiance of a pixel.
 pub type Pixel = [f32; 3];
@@ -107,11 +108,7 @@ impl Source {
 }
 
 fn open(path: &Path) -> Result<File, ReadError> {
-    let file = File::open(path).map_err(|source| unopened(path, source))?;
-    match file.metadata() {
-        Ok(metadata) if metadata.is_dir() => Err(unopened(path, std::io::Error::other("is a folder"))),
-        _ => Ok(file),
-    }
+    files::open_regular(path).map_err(|source| unopened(path, source))
 }
 
 fn unopened(path: &Path, source: std::io::Error) -> ReadError {

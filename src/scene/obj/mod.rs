@@ -113,7 +113,7 @@ impl Libraries {
         }
         files.push(path.clone());
         if !path.is_file() {
-            let message = format!("there is no material library `{}`", path.display());
+            let message = text::missing("material library", &path);
             let help = "its materials are rendered grey; the path is relative to the folder of the OBJ file";
             diagnostics.push(Diagnostic { message, ..library.place.clone() }.help(help));
             return Default::default();

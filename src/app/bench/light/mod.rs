@@ -25,12 +25,16 @@ use crate::app::interrupt::Interrupt;
 use crate::app::progress::{Goal, Meter};
 use crate::app::stage::{Stage, Watch};
 use crate::app::{Exit, Failure, output};
+use crate::files;
 use crate::gpu::Gpu;
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
 use arguments::ReferenceBy;
 use record::{Bench, Machine, SceneRecord};
 use reference::{Reference, Shelf};
+
+/// Bytes that a file of an earlier benchmark may have.
+const LIMIT: u64 = 256 << 20;
 
 /// A scene to be measured.
 struct Subject {
@@ -204,6 +208,6 @@ fn tell(bench: &Bench, arguments: &LightArguments, earlier: Option<&Bench>) -> R
 
 /// Reads a file of an earlier benchmark, or of anything else in JSON.
 fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, BenchError> {
-    let bytes = std::fs::read(path).map_err(|source| BenchError::file(path, source))?;
+    let bytes = files::read(path, LIMIT).map_err(|source| BenchError::file(path, source))?;
     serde_json::from_slice(&bytes).map_err(|source| BenchError::Earlier { path: path.to_path_buf(), source })
 }
