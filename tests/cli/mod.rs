@@ -4,6 +4,8 @@
 mod no_files;
 mod refusals;
 mod render;
+#[cfg(unix)]
+mod signals;
 
 use std::path::Path;
 use std::process::{Command, Output, Stdio};

@@ -29,7 +29,7 @@ pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 
 /// Judges until all is clear or the time is over, and tells.
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
-    let interrupt = Interrupt::listen();
+    let interrupt = Interrupt::listen(Exit::Interrupted);
     let (path, description) = describe(arguments)?;
     for output in &arguments.output {
         output.prepare()?;
@@ -92,6 +92,8 @@ fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -
             Err(JudgeError::Stopped) => None,
             look => look?,
         };
+        // From the first films on there is something to tell.
+        interrupt.hold();
         spp = spp.saturating_add(judge.spp().saturating_mul(2));
         meter.advance(2 * judge.samples(), spp);
         match (look, interrupt.asked()) {

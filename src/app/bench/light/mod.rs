@@ -46,7 +46,7 @@ struct Subject {
 
 /// Measures, writes all files, and compares with an earlier benchmark if that is asked for.
 pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
-    let interrupt = Interrupt::listen();
+    let interrupt = Interrupt::listen(Exit::Interrupted);
     let earlier = arguments.against.as_deref().map(against::read).transpose()?;
     let library = Library::shipped();
     let mut subjects = Vec::new();
@@ -65,6 +65,7 @@ pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
         }
     }
     watch.meter.finish();
+    watch.interrupt.hold();
     bench.interrupted = watch.interrupt.asked() || fault.is_some();
     let told = tell(&bench, arguments, earlier.as_ref())?;
     match (fault, watch.interrupt.asked()) {
@@ -163,7 +164,10 @@ fn measure_scene(
     for configuration in &arguments.configs {
         watch.meter.rename(&format!("{}, {configuration}", description.name));
         let measured = measure::measure(&mut stage, *configuration, arguments.extent(), &reference, watch)?;
-        bench.scenes[at].configurations.extend(measured);
+        if let Some(measured) = measured {
+            bench.scenes[at].configurations.push(measured);
+            watch.interrupt.hold();
+        }
     }
     bench.scenes[at].triangles = stage.report()?.triangles;
     Ok(())
