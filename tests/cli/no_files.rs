@@ -47,12 +47,13 @@ const KINDS: [(Make, &[&str]); 6] = [
 #[test]
 fn what_is_no_file_is_refused_wherever_it_is_named() {
     for (make, words) in KINDS {
-        let places: [(&str, &[&str]); 8] = [
+        let places: [(&str, &[&str]); 9] = [
             ("s.ron", &["render", "s.ron"]),
             ("s.obj", &["render", "s.obj"]),
             ("s.ron", &["watch", "s.ron"]),
             ("s.ron", &["judge", "s.ron", "--new", "."]),
             ("s.ron", &["bench", "./s.ron"]),
+            ("old.json", &["bench", "./a.ron", "--against", "old.json"]),
             ("a.obj", &["render", "a.ron"]),
             ("sky.exr", &["render", "a.ron", "-D", "environment=Map(path: \"sky.exr\")"]),
             ("p.exr", &["compare", "p.exr", "p.exr"]),
