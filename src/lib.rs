@@ -8,6 +8,7 @@ pub mod layout;
 pub mod app;
 pub mod components;
 pub mod cpu;
+pub mod files;
 pub mod gpu;
 pub mod image;
 pub mod passes;

@@ -11,6 +11,8 @@ mod edits;
 mod engine;
 mod environment;
 mod extend;
+#[cfg(unix)]
+mod files;
 mod film;
 mod furnace;
 mod fuzz;

@@ -1,6 +1,8 @@
 //! The window: its mathematics by themselves, and all of it on a display of its own.
 
 #[cfg(target_os = "linux")]
+mod display;
+#[cfg(target_os = "linux")]
 mod edits;
 mod flight;
 mod inspect;

@@ -28,7 +28,7 @@ enum Ended {
 
 /// Loads, renders, saves and reports. `started` is when the process began.
 pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
-    let interrupt = Interrupt::listen();
+    let interrupt = Interrupt::listen(Exit::Interrupted);
     let begin = Instant::now();
     let Opened { path, mut description, .. } = arguments.flags.open(&arguments.scene, arguments.quiet)?;
     if arguments.time.is_some() && arguments.flags.spp.is_none() {
@@ -125,6 +125,9 @@ fn trace(
         let left = arguments.time.map_or(STEP, |time| Duration::from_secs_f64(time).saturating_sub(meter.elapsed()));
         let step = engine.step(STEP.min(left)).map_err(Failure::engine)?;
         meter.advance(step.samples, step.spp);
+        if step.samples > 0 {
+            interrupt.hold();
+        }
         let ended = match (step.finished, interrupt.asked()) {
             (true, _) => Some(Ended::Finished),
             (false, true) => Some(Ended::Interrupted),

@@ -23,7 +23,7 @@ const IDLE: Duration = Duration::from_millis(200);
 
 /// Renders until a signal comes, or nobody reads the events any more.
 pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
-    let interrupt = Interrupt::listen();
+    let interrupt = Interrupt::listen(Exit::Done);
     let opened = arguments.flags.open(&arguments.scene, arguments.quiet)?;
     let library = arguments.flags.library()?;
     let gpu = Gpu::open()?;

@@ -69,25 +69,33 @@ fn ordered_adapters(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
     adapters
 }
 
-/// The number of the adapter to open: the first, or the one the environment names.
-fn chosen_index(count: usize) -> Result<usize, GpuError> {
-    if count == 0 {
+/// What the environment asks for, if it does: a variable that is empty, or blank, asks for nothing.
+fn asked_adapter() -> Option<String> {
+    let text = std::env::var_os(ADAPTER_VARIABLE)?.to_string_lossy().trim().to_owned();
+    (!text.is_empty()).then_some(text)
+}
+
+/// The number of the adapter to open: the first, or the one the environment asks for.
+fn chosen_index(adapters: &[wgpu::Adapter]) -> Result<usize, GpuError> {
+    if adapters.is_empty() {
         return Err(GpuError::NoAdapter);
     }
-    match std::env::var(ADAPTER_VARIABLE) {
-        Err(_) => Ok(0),
-        Ok(text) => text.trim().parse().ok().filter(|i| *i < count).ok_or(GpuError::NoSuchAdapter {
-            variable: ADAPTER_VARIABLE,
-            index: text,
-            count,
-        }),
-    }
+    let Some(asked) = asked_adapter() else { return Ok(0) };
+    let number = asked.parse().ok().filter(|number| *number < adapters.len());
+    number.ok_or_else(|| {
+        let name = |(number, adapter): (usize, &wgpu::Adapter)| {
+            let info = adapter.get_info();
+            format!("{number}: {} ({})", info.name, info.backend)
+        };
+        let known = adapters.iter().enumerate().map(name).collect::<Vec<_>>().join(", ");
+        GpuError::NoSuchAdapter { variable: ADAPTER_VARIABLE, asked, known }
+    })
 }
 
 /// Lists the adapters, in the order of their numbers.
 pub fn adapters() -> Vec<AdapterSummary> {
     let adapters = ordered_adapters(&instance());
-    let chosen = chosen_index(adapters.len()).ok();
+    let chosen = chosen_index(&adapters).ok();
     let summary = |(i, adapter): (usize, &wgpu::Adapter)| {
         let (info, limits) = (adapter.get_info(), adapter.limits());
         AdapterSummary {
@@ -110,7 +118,7 @@ impl Gpu {
     /// Opens the best adapter, or the one `LUCERNA_ADAPTER` names, with its own limits.
     pub fn open() -> Result<Arc<Gpu>, GpuError> {
         let mut adapters = ordered_adapters(&instance());
-        let adapter = adapters.swap_remove(chosen_index(adapters.len())?);
+        let adapter = adapters.swap_remove(chosen_index(&adapters)?);
         Self::open_adapter(&adapter, wanted_features())
     }
 
@@ -120,9 +128,9 @@ impl Gpu {
         surface: &wgpu::Surface,
     ) -> Result<(Arc<Gpu>, wgpu::Adapter), GpuError> {
         let mut adapters = ordered_adapters(instance);
-        let mut index = chosen_index(adapters.len())?;
+        let mut index = chosen_index(&adapters)?;
         if !adapters[index].is_surface_supported(surface) {
-            if std::env::var_os(ADAPTER_VARIABLE).is_some() {
+            if asked_adapter().is_some() {
                 return Err(GpuError::CannotPresent { adapter: adapters[index].get_info().name });
             }
             let presenter = adapters.iter().position(|adapter| adapter.is_surface_supported(surface));
@@ -135,7 +143,7 @@ impl Gpu {
     /// Opens the same adapter without any optional feature: what the fallbacks are tested on.
     pub fn open_plain() -> Result<Arc<Gpu>, GpuError> {
         let mut adapters = ordered_adapters(&instance());
-        let adapter = adapters.swap_remove(chosen_index(adapters.len())?);
+        let adapter = adapters.swap_remove(chosen_index(&adapters)?);
         Self::open_adapter(&adapter, wgpu::Features::empty())
     }
 

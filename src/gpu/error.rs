@@ -14,9 +14,9 @@ pub enum GpuError {
     ))]
     NoAdapter,
 
-    #[error("adapter number {index} was asked for by {variable}, and there are {count}")]
-    #[diagnostic(help("`lucerna doctor` lists the adapters by number"))]
-    NoSuchAdapter { variable: &'static str, index: String, count: usize },
+    #[error("{variable} is `{asked}`, which is no adapter's number")]
+    #[diagnostic(help("the adapters are {known}; without {variable}, the first is taken"))]
+    NoSuchAdapter { variable: &'static str, asked: String, known: String },
 
     #[error("no adapter can show pictures on this display")]
     #[diagnostic(help("`lucerna render` draws without a display; `lucerna doctor` lists the adapters"))]

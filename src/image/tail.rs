@@ -5,6 +5,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 
 use super::error::Fault;
+use crate::files::{self, NoFile};
 
 /// A file, and whether more was asked of it than it has.
 #[derive(Debug)]
@@ -14,17 +15,13 @@ pub struct Tail {
 }
 
 impl Tail {
-    /// Opens a file for reading: no folder, and no pipe, which could be waited for without end.
+    /// Opens a regular file for reading.
     pub fn open(path: &Path) -> Result<Self, Fault> {
-        let metadata = std::fs::metadata(path).map_err(Fault::Open)?;
-        if metadata.is_dir() {
-            return Err(Fault::Folder);
+        match files::open_regular(path) {
+            Ok(file) => Ok(Self { file, ended: false }),
+            Err(error) if NoFile::of(&error) == Some(&NoFile::Folder) => Err(Fault::Folder),
+            Err(error) => Err(Fault::Open(error)),
         }
-        if !metadata.is_file() {
-            let what = "is a pipe or a device, not a file".to_owned();
-            return Err(Fault::Unsupported { what, help: "write the picture to a file, and name that" });
-        }
-        Ok(Self { file: File::open(path).map_err(Fault::Open)?, ended: false })
     }
 
     /// Bytes that the file has.

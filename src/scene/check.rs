@@ -10,6 +10,7 @@ use super::mtl::read_mtl;
 use super::text::cannot_read;
 use super::unseen::unseen_by;
 use crate::components::Appearance;
+use crate::files;
 
 /// What a check has read and found.
 #[derive(Clone, Debug, Default)]
@@ -43,8 +44,7 @@ pub struct Row {
 pub fn check(path: &Path) -> Checked {
     let mut checked = Checked::default();
     if path.is_dir() && Kind::by_ending(path).is_none() {
-        collect(path, 0, &mut checked);
-        checked.files.sort();
+        collect(path, &mut checked);
         if checked.files.is_empty() && !checked.diagnostics.has_errors() {
             let warning = Diagnostic::file(Severity::Warning, path, "there is no asset in this folder");
             checked.diagnostics.push(warning.help(KINDS));
@@ -79,23 +79,14 @@ fn identity(path: PathBuf) -> PathBuf {
 /// What can be checked.
 const KINDS: &str = "assets are .ron (scenes), .obj (models) and .mtl (materials)";
 
-/// Folders below a folder that are looked into: links could go round in circles.
-const MAX_DEPTH: usize = 16;
-
 /// Adds the asset files of a folder and those below it.
-fn collect(folder: &Path, depth: usize, checked: &mut Checked) {
-    let entries = match std::fs::read_dir(folder) {
-        Ok(entries) => entries,
-        Err(error) => return checked.diagnostics.push(cannot_read(folder, &error)),
-    };
-    for path in entries.flatten().map(|entry| entry.path()) {
-        if path.is_dir() {
-            if depth < MAX_DEPTH {
-                collect(&path, depth + 1, checked);
-            }
-        } else if Kind::by_ending(&path).is_some() {
-            checked.files.push(path);
+fn collect(folder: &Path, checked: &mut Checked) {
+    match files::walk(folder, files::DEEPEST, |path| Kind::by_ending(path).is_some()) {
+        Ok(found) => {
+            checked.files = found.files;
+            checked.diagnostics.list.extend(found.unread.iter().map(|(path, error)| cannot_read(path, error)));
         }
+        Err(error) => checked.diagnostics.push(cannot_read(folder, &files::explained(folder, error))),
     }
 }
 

@@ -5,30 +5,36 @@ use std::path::{Path, PathBuf};
 
 use super::diagnostic::{Diagnostic, Severity};
 use super::suggest::known_names;
+use super::text::cannot_read;
+use crate::files::{self, NoFile};
 
 /// The scene file that a path or a name means: a file, or `NAME.ron` in one of the folders of scenes.
 ///
 /// Those are `assets/scenes` of the current folder, of the source tree this was built from, and beside the executable.
 pub fn find(name_or_path: &str) -> Result<PathBuf, Diagnostic> {
     let path = Path::new(name_or_path);
-    if path.is_file() {
-        return Ok(path.to_path_buf());
-    }
+    let error = match files::regular(path) {
+        Ok(_) => return Ok(path.to_path_buf()),
+        Err(error) => error,
+    };
     let known = known_scenes();
     if let Some(found) = known.get(name_or_path.strip_suffix(".ron").unwrap_or(name_or_path)) {
         return Ok(found.clone());
     }
-    let error = |message: String| Diagnostic::file(Severity::Error, path, message);
-    if path.is_dir() {
-        return Err(
-            error("this is a folder, not a scene".into()).help("name a scene file (.ron) or a model (.obj) in it")
-        );
+    let none = |message: String| Diagnostic::file(Severity::Error, path, message);
+    match NoFile::of(&error) {
+        Some(NoFile::Folder) => {
+            let help = "name a scene file (.ron) or a model (.obj) in it";
+            return Err(none("this is a folder, not a scene".into()).help(help));
+        }
+        Some(_) => return Err(cannot_read(path, &error)),
+        None => {}
     }
     let names = known_names(name_or_path, known.keys().map(String::as_str));
     if path.extension().is_some() || path.components().count() > 1 {
-        return Err(error("there is no such file".into()).help(format!("or name a scene; {names}")));
+        return Err(none("there is no such file".into()).help(format!("or name a scene; {names}")));
     }
-    Err(error(format!("there is no scene `{name_or_path}`")).help(names))
+    Err(none(format!("there is no scene `{name_or_path}`")).help(names))
 }
 
 /// The names of all scenes in the folders of scenes, in order.
@@ -40,12 +46,11 @@ pub fn names() -> Vec<String> {
 fn known_scenes() -> BTreeMap<String, PathBuf> {
     let mut known = BTreeMap::new();
     for folder in folders() {
-        let Ok(entries) = std::fs::read_dir(&folder) else { continue };
-        for path in entries.flatten().map(|entry| entry.path()) {
-            if let (Some(stem), true) = (path.file_stem(), path.extension().is_some_and(|extension| extension == "ron"))
-            {
-                known.entry(stem.to_string_lossy().into_owned()).or_insert(path);
-            }
+        let is_scene = |path: &Path| path.extension().is_some_and(|extension| extension == "ron");
+        let Ok(found) = files::walk(&folder, 0, is_scene) else { continue };
+        for path in found.files {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            known.entry(stem).or_insert(path);
         }
     }
     known

@@ -61,10 +61,6 @@ impl Kind {
         if let Some(kind) = Self::by_ending(path) {
             return Ok(Some(kind));
         }
-        if std::fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
-            // What is read from a pipe is gone.
-            return Ok(None);
-        }
         let mut start = Vec::new();
         let file = text::open(path, u64::MAX)?;
         file.take(LOOKED_AT).read_to_end(&mut start).map_err(|error| text::cannot_read(path, &error))?;

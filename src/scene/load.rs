@@ -14,7 +14,7 @@ use super::obj::{Model, read_obj};
 use super::ron::{Reader, apply_defines, define_texts, parse};
 use super::sky::read_sky;
 use super::suggest::{did_you_mean, known_names};
-use super::text::Text;
+use super::text::{Text, missing};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
 use crate::components::{Camera, Environment, Film, Material, MeshData, Passage, Render, Transform};
 
@@ -241,8 +241,7 @@ impl Loader {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             let near = did_you_mean(&name, names.iter().map(String::as_str));
             let help = near.unwrap_or_else(|| "the path is relative to the folder of the scene file".into());
-            let message = format!("there is no file `{}`", path.display());
-            Diagnostic { message, ..entry.place.clone() }.help(help)
+            Diagnostic { message: missing("file", &path), ..entry.place.clone() }.help(help)
         } else {
             match Kind::of(&path) {
                 Ok(Some(Kind::Model)) => return Some(path),

@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::diagnostic::{Diagnostic, Severity};
+use crate::files::{self, NoFile};
 
 /// A file's text, or a define of the command line, that messages can point into.
 #[derive(Debug)]
@@ -61,19 +62,19 @@ impl Text {
 
 /// Opens a regular file of at most `limit` bytes for reading.
 pub fn open(file: &Path, limit: u64) -> Result<std::fs::File, Diagnostic> {
-    let metadata = std::fs::metadata(file).map_err(|error| cannot_read(file, &error))?;
-    if metadata.is_dir() {
-        let message = "this is a folder, not a file";
-        return Err(Diagnostic::file(Severity::Error, file, message).help("name a file in it"));
+    let handle = files::open_regular(file).map_err(|error| cannot_read(file, &error))?;
+    let length = handle.metadata().map_err(|error| cannot_read(file, &error))?.len();
+    if length > limit {
+        return Err(too_large(file, length, limit));
     }
-    if metadata.len() > limit {
-        return Err(too_large(file, metadata.len(), limit));
-    }
-    std::fs::File::open(file).map_err(|error| cannot_read(file, &error))
+    Ok(handle)
 }
 
 /// Why a file can't be read, and what to do.
 pub fn cannot_read(file: &Path, error: &std::io::Error) -> Diagnostic {
+    if let Some(why) = NoFile::of(error) {
+        return Diagnostic::file(Severity::Error, file, why.to_string()).help(why.help());
+    }
     let (message, help) = match error.kind() {
         std::io::ErrorKind::NotFound => {
             ("there is no such file".to_owned(), "check the path; it is relative to the file that names it")
@@ -84,6 +85,14 @@ pub fn cannot_read(file: &Path, error: &std::io::Error) -> Diagnostic {
         _ => (format!("cannot be read: {error}"), "check the path and the disk"),
     };
     Diagnostic::file(Severity::Error, file, message).help(help)
+}
+
+/// Says that a file which another one names is not there; or that it is no file, and why.
+pub fn missing(what: &str, file: &Path) -> String {
+    match files::regular(file) {
+        Err(error) if NoFile::of(&error).is_some() => format!("can't read the {what} `{}`: {error}", file.display()),
+        _ => format!("there is no {what} `{}`", file.display()),
+    }
 }
 
 /// A file beyond its size limit.

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 use std::collections::hash_map::DefaultHasher;
-use std::fs;
 use std::hash::{Hash, Hasher};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::files;
 use crate::layout::{GpuConst, StructLayout};
 
 use super::Features;
@@ -14,12 +14,16 @@ use super::error::{ErrorKind, ShaderError, Source};
 use super::generated::Shared;
 use super::link::{self, Linked};
 use super::module::{self, Module};
+use super::names;
 
 /// Every file of shaders/: (module, text).
 static EMBEDDED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 
 /// Features of a module up to which every set of them is listed.
 const MOST_NAMED: usize = 5;
+
+/// Bytes that a file of shaders may have.
+const LIMIT: u64 = 16 << 20;
 
 /// A set of modules that import each other.
 #[derive(Clone)]
@@ -28,12 +32,14 @@ pub struct Library {
     folder: String,
     /// By name; one that can't be read keeps the reason.
     modules: BTreeMap<String, Result<Arc<Source>, String>>,
+    /// The folders below that can't be read, each with the reason: no module in them is known.
+    unread: Vec<(String, String)>,
     shared: Shared,
 }
 
 impl Library {
     fn empty(folder: String) -> Self {
-        Library { folder, modules: BTreeMap::new(), shared: Shared::registered() }
+        Library { folder, modules: BTreeMap::new(), unread: Vec::new(), shared: Shared::registered() }
     }
 
     /// The shaders that this binary was built with.
@@ -42,12 +48,24 @@ impl Library {
         EMBEDDED.iter().fold(library, |library, (module, text)| library.with(module, text))
     }
 
-    /// The `.wgsl` files below a folder. A file that can't be read is an error only when something imports it.
+    /// The `.wgsl` files below a folder, as far as an import can name them. A file that can't be read is an error only when
+    /// something imports it.
     pub fn open(folder: &Path) -> Result<Self, ShaderError> {
-        let mut library = Library::empty(folder.display().to_string().replace('\\', "/"));
-        library.read_folder(folder, "").map_err(|(path, error)| {
-            ShaderError::nowhere(ErrorKind::Read, format!("{path}: this folder of shaders can't be read: {error}"))
+        let mut library = Library::empty(slashes(folder));
+        let found = files::walk(folder, files::DEEPEST, names::is_shader).map_err(|error| {
+            let error = files::explained(folder, error);
+            let message = format!("{}: this folder of shaders can't be read: {error}", library.folder);
+            ShaderError::nowhere(ErrorKind::Read, message)
         })?;
+        for path in found.files {
+            if let Some(name) = path.strip_prefix(folder).ok().and_then(names::module_name) {
+                library.insert(&name, read_text(&path).map_err(|error| error.to_string()));
+            }
+        }
+        let unread = |(path, error): (PathBuf, std::io::Error)| {
+            Some((slashes(path.strip_prefix(folder).ok()?), error.to_string()))
+        };
+        library.unread = found.unread.into_iter().filter_map(unread).collect();
         Ok(library)
     }
 
@@ -79,10 +97,10 @@ impl Library {
         self.modules.keys().map(String::as_str)
     }
 
-    /// Every feature that a condition of any module names.
+    /// Every feature that a condition of any module names. What can't be read names none.
     pub fn features(&self) -> Result<Features, ShaderError> {
         let mut named = Features::new();
-        for module in self.modules() {
+        for module in self.modules().filter(|module| self.text(module).is_some()) {
             named.extend(self.scan(module, &Features::new())?.features);
         }
         Ok(named)
@@ -143,9 +161,19 @@ impl Library {
                 let message = format!("{}/{name}.wgsl: this file can't be read: {reason}", self.folder);
                 Err(ShaderError::nowhere(ErrorKind::Read, message))
             }
-            None => Err(ShaderError::nowhere(ErrorKind::Import, format!("there is no shader `{name}`"))
-                .help(format!("shaders are named by their path below {}/, without .wgsl", self.folder))),
+            None => Err(self.unknown(name)),
         }
+    }
+
+    /// Why a module is not there.
+    fn unknown(&self, name: &str) -> ShaderError {
+        let holds = |folder: &str| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'));
+        if let Some((folder, reason)) = self.unread.iter().find(|(folder, _)| holds(folder)) {
+            let message = format!("{}/{folder}: this folder can't be read: {reason}", self.folder);
+            return ShaderError::nowhere(ErrorKind::Read, message);
+        }
+        ShaderError::nowhere(ErrorKind::Import, format!("there is no shader `{name}`"))
+            .help(format!("shaders are named by their path below {}/, without .wgsl", self.folder))
     }
 
     /// Whether a module is, to the byte, the one that this binary was built with.
@@ -161,20 +189,16 @@ impl Library {
         let file = format!("{}/{module}.wgsl", self.folder);
         self.modules.insert(module.to_owned(), text.map(|text| Arc::new(Source { file, text })));
     }
+}
 
-    fn read_folder(&mut self, folder: &Path, prefix: &str) -> Result<(), (String, std::io::Error)> {
-        let fail = |error| (folder.display().to_string(), error);
-        for entry in fs::read_dir(folder).map_err(fail)? {
-            let path = entry.map_err(fail)?.path();
-            let Some(name) = path.file_name().and_then(|name| name.to_str()) else { continue };
-            if path.is_dir() {
-                self.read_folder(&path, &format!("{prefix}{name}/"))?;
-            } else if let Some(stem) = name.strip_suffix(".wgsl") {
-                let text = fs::read_to_string(&path).map_err(|error| error.to_string());
-                let text = text.map(|text| text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text));
-                self.insert(&format!("{prefix}{stem}"), text);
-            }
-        }
-        Ok(())
-    }
+/// The text of a file, without its byte order mark.
+fn read_text(path: &Path) -> std::io::Result<String> {
+    let text =
+        String::from_utf8(files::read(path, LIMIT)?).map_err(|_| std::io::Error::other("it is not UTF-8 text"))?;
+    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
+}
+
+/// A path as it is told, the same on every system.
+fn slashes(path: &Path) -> String {
+    path.display().to_string().replace('\\', "/")
 }

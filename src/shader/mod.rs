@@ -15,6 +15,7 @@ mod library;
 mod link;
 mod message;
 mod module;
+mod names;
 mod reflect;
 mod site;
 mod token;

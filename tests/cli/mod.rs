@@ -1,8 +1,12 @@
 //! The command line, by running it: exit codes, one message a mistake, and files that are whole.
 
+#[cfg(unix)]
+mod no_files;
 mod outputs;
 mod refusals;
 mod render;
+#[cfg(unix)]
+mod signals;
 
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
@@ -118,13 +122,29 @@ fn doctor_names_the_adapter_that_is_used() {
     let out = String::from_utf8(run.stdout).unwrap();
     assert_eq!(run.status.code(), Some(0), "{out}");
     assert!(out.contains("ready: renders use") && out.contains("driver:"), "{out}");
-    let none = Command::new(env!("CARGO_BIN_EXE_lucerna"))
-        .args(["render", "cornell-box", "--quiet"])
-        .current_dir(tempfile::tempdir().unwrap().path())
-        .env("LUCERNA_ADAPTER", "99")
-        .output()
-        .unwrap();
-    assert_eq!(none.status.code(), Some(3));
+}
+
+#[test]
+fn an_adapter_that_is_none_is_refused_and_an_empty_one_is_not_asked_for() {
+    let doctor = |adapter: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
+        command.arg("doctor").env("LUCERNA_ADAPTER", adapter).output().unwrap()
+    };
+    let first = doctor("0");
+    assert!(first.status.success());
+    for empty in ["", " ", "\t", " 0 "] {
+        let run = doctor(empty);
+        assert_eq!((run.status.code(), run.stdout), (Some(0), first.stdout.clone()), "{empty:?}");
+    }
+    let listed = String::from_utf8(first.stdout).unwrap();
+    let name = listed.lines().find_map(|line| line.strip_prefix("* 0: ")).unwrap().split(" (").next().unwrap();
+    for wrong in ["99", "-1", "0.0", "llvmpipe", "0,1", "99999999999999999999"] {
+        let run = doctor(wrong);
+        let said = String::from_utf8(run.stderr).unwrap();
+        assert_eq!(run.status.code(), Some(3), "{wrong}: {said}");
+        assert!(said.contains(&format!("LUCERNA_ADAPTER is `{wrong}`")) && said.contains(name), "{wrong}: {said}");
+        assert_eq!(said.matches("error:").count(), 1, "{said}");
+    }
 }
 
 #[test]

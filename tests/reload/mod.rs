@@ -1,6 +1,8 @@
 //! What is saved while the engine runs: taken up whole, or not at all, and only what depends on it starts anew.
 
 mod guide;
+#[cfg(unix)]
+mod links;
 mod lint;
 mod many;
 mod saves;
@@ -63,12 +65,18 @@ struct Bench {
 impl Bench {
     /// Opens a small scene with a copy of the shipped shaders, and renders it to the end.
     fn new() -> Self {
+        Self::opened(|_| {})
+    }
+
+    /// The same, of which something is made otherwise before it is opened.
+    fn opened(prepare: impl FnOnce(&Path)) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
         copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders"), &root.join("shaders"));
         for (name, text) in [("room.obj", OBJ), ("room.mtl", MTL), ("scene.ron", SCENE)] {
             fs::write(root.join(name), text).unwrap();
         }
+        prepare(root);
         let path = root.join("scene.ron");
         let loaded = scene::load(&path, &[]).unwrap();
         let library = Library::open(&root.join("shaders")).unwrap();

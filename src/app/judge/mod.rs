@@ -36,7 +36,7 @@ pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 /// Judges until all is clear or the time is over, and tells.
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     let begin = Instant::now();
-    let interrupt = Interrupt::listen();
+    let interrupt = Interrupt::listen(Exit::Interrupted);
     let (path, description) = describe(arguments)?;
     let (mut outputs, prepared) = output::prepare(&arguments.output)?;
     let old = arguments.old.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open)?;
@@ -50,7 +50,7 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
         output::print(&report::unchanged(UNCHANGED, arguments.json))?;
         return Ok(Exit::Done);
     }
-    let look = watch(&mut judge, arguments)?;
+    let look = watch(&mut judge, arguments, &interrupt)?;
     let account = Account {
         arguments,
         path: &path,
@@ -90,7 +90,7 @@ fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, SceneDescription), F
 }
 
 /// Traces until a look ends it, or a signal does.
-fn watch(judge: &mut Judge, arguments: &JudgeArguments) -> Result<Look, Failure> {
+fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -> Result<Look, Failure> {
     let goal = Goal { samples: arguments.films.map(u64::from), seconds: judge.seconds_left() };
     let mut meter = Meter::new("judge", goal, arguments.quiet);
     let look = loop {
@@ -99,6 +99,8 @@ fn watch(judge: &mut Judge, arguments: &JudgeArguments) -> Result<Look, Failure>
             Ok(Some(look)) if look.ended.is_some() => break look,
             step => step?,
         };
+        // From the first films on there is something to tell.
+        interrupt.hold();
         meter.show(judge.films() as u64, &standing(judge));
     };
     meter.finish();

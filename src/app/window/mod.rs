@@ -5,6 +5,7 @@
 //!
 //! | file | what it holds |
 //! |---|---|
+//! | `display`, `wayland` | which display it opens on |
 //! | `application` | the window library's events, and when to wake |
 //! | `session`, `frame` | a window with an engine: what it keeps; one frame |
 //! | `intents` | what each key and gesture does |
@@ -17,6 +18,7 @@
 mod application;
 mod cameras;
 mod controls;
+mod display;
 pub mod flight;
 mod frame;
 mod intents;
@@ -30,32 +32,20 @@ mod saves;
 mod screen;
 mod session;
 mod snapshot;
-
-use winit::event_loop::EventLoop;
+#[cfg(all(unix, not(target_os = "macos")))]
+mod wayland;
 
 use super::arguments::ViewArguments;
 use super::{Exit, Failure};
 
 use application::Application;
+pub use display::has_display;
 use session::Opening;
-
-/// There is nothing to open a window on.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-#[error("no display to open a window on: {0}")]
-#[diagnostic(help("use `lucerna render`, which needs none"))]
-struct NoDisplay(String);
 
 /// The loop of events ended by itself.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("the window's events ended: {0}")]
 struct Ended(winit::error::EventLoopError);
-
-/// Whether there is anything that a window could open on.
-pub fn has_display() -> bool {
-    let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    cfg!(not(all(unix, not(target_os = "macos"))))
-        || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].iter().any(|v| set(v))
-}
 
 /// What a person needs to know of an error of the window library, which names places in its own source.
 fn reason(error: &impl std::fmt::Display) -> String {
@@ -68,7 +58,7 @@ fn reason(error: &impl std::fmt::Display) -> String {
 
 /// Opens a window on a scene, and returns once it is closed.
 pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
-    let events = EventLoop::new().map_err(|error| Failure::of(NoDisplay(reason(&error))))?;
+    let events = display::open()?;
     let opened = arguments.flags.open(&arguments.scene, false)?;
     let wake = events.create_proxy();
     let mut application = Application::new(Opening::new(opened, arguments.flags.clone(), wake));

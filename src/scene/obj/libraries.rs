@@ -10,7 +10,7 @@ use crate::scene::diagnostic::{Diagnostic, Diagnostics};
 use crate::scene::locate::{Located, as_written, file_names, locate};
 use crate::scene::mtl::read_mtl;
 use crate::scene::suggest::known_names;
-use crate::scene::text::lenient;
+use crate::scene::text::{lenient, missing};
 
 /// An `mtllib` statement.
 #[derive(Debug)]
@@ -91,7 +91,7 @@ impl Libraries {
         let Some(found) = locate(folder, name) else {
             self.missing = true;
             let path = as_written(folder, name);
-            let message = format!("there is no material library `{}`", path.display());
+            let message = missing("material library", &path);
             files.push(path);
             let help = format!(
                 "its materials are rendered grey, unless another library has them; {}",

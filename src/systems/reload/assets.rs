@@ -2,18 +2,14 @@
 
 use std::collections::BTreeMap;
 use std::collections::hash_map::DefaultHasher;
-use std::fs;
-use std::hash::{Hash, Hasher};
+use std::hash::Hasher;
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime};
 
 use super::event::problems_of;
-use super::watcher::folder_of;
 use super::worker::Look;
+use crate::files::{self, Stamp};
 use crate::scene::{self, Loaded, SceneDescription};
-
-/// A file as young as this may be written again without another time stamp, so that only its contents can tell.
-const YOUNG: Duration = Duration::from_secs(2);
 
 /// What the command line says over a scene file.
 pub type Adjust = Box<dyn Fn(&mut SceneDescription) + Send>;
@@ -33,11 +29,11 @@ pub struct SceneFiles {
     seen: BTreeMap<PathBuf, Seen>,
 }
 
-/// A file's stamp and contents; of a file that is not there, nothing.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A file's stamp and contents; of what is no file, or can't be read, nothing.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Seen {
+    stamp: Option<Stamp>,
     length: u64,
-    modified: Option<SystemTime>,
     hash: u64,
 }
 
@@ -49,9 +45,9 @@ impl SceneFiles {
         this
     }
 
-    /// The folders that hold the files.
+    /// The folders that hold the files, and links on the way to them.
     pub fn folders(&self) -> impl Iterator<Item = PathBuf> {
-        self.seen.keys().map(|file| folder_of(file))
+        self.seen.keys().flat_map(|file| files::trail(file))
     }
 
     /// Loads the scene anew if any of its files changed. `patient`: a file that is empty or gone is being saved.
@@ -91,18 +87,34 @@ impl SceneFiles {
 impl Seen {
     /// Looks at a file; reads it only if its stamp is another, or too young to tell.
     fn of(path: &Path, old: Option<&Seen>) -> Seen {
-        let Ok(metadata) = fs::metadata(path) else { return Seen::default() };
-        let (length, modified) = (metadata.len(), metadata.modified().ok());
-        let age = modified.and_then(|time| SystemTime::now().duration_since(time).ok());
+        let Ok(stamp) = Stamp::of(path) else { return Seen::default() };
         if let Some(old) = old
-            && (old.length, old.modified) == (length, modified)
-            && age.is_some_and(|age| age > YOUNG)
+            && old.stamp.as_ref() == Some(&stamp)
+            && !stamp.is_young()
         {
-            return *old;
+            return old.clone();
         }
-        let Ok(bytes) = fs::read(path) else { return Seen::default() };
-        let mut hasher = DefaultHasher::new();
-        bytes.hash(&mut hasher);
-        Seen { length: bytes.len() as u64, modified, hash: hasher.finish() }
+        match contents(path) {
+            Ok((length, hash)) => Seen { stamp: Some(stamp), length, hash },
+            Err(_) => Seen::default(),
+        }
+    }
+}
+
+/// Bytes of a file, and their hash.
+fn contents(path: &Path) -> std::io::Result<(u64, u64)> {
+    let mut file = files::open_regular(path)?;
+    let (mut hasher, mut length) = (DefaultHasher::new(), 0);
+    let mut part = vec![0; 1 << 18];
+    loop {
+        match file.read(&mut part) {
+            Ok(0) => return Ok((length, hasher.finish())),
+            Ok(read) => {
+                hasher.write(&part[..read]);
+                length += read as u64;
+            }
+            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
     }
 }

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::event::Problem;
+use super::watcher::Place;
 use super::worker::Look;
+use crate::files::{self, trail};
 use crate::gpu::{Code, Compiler};
 use crate::shader::Library;
 
@@ -22,8 +24,17 @@ impl ShaderFolder {
         Self { folder, seen: hashes(library), compiler }
     }
 
-    pub fn folder(&self) -> &Path {
-        &self.folder
+    /// What is to be watched: the folder with all below it, and where links lead that are in it or on the way to it.
+    pub fn places(&self) -> Vec<Place> {
+        let mut places = vec![Place { folder: self.folder.clone(), below: true }];
+        let mut add = |path: &Path| places.extend(trail(path).into_iter().map(|folder| Place { folder, below: false }));
+        add(&self.folder);
+        if let Ok(found) = files::walk(&self.folder, files::DEEPEST, |_| true) {
+            found.files.iter().for_each(|file| add(file));
+            // A folder behind a link is found by a way of its own, also while there is no file in it.
+            found.folders.iter().for_each(|folder| add(&folder.join("*")));
+        }
+        places
     }
 
     /// Reads the folder and compiles what is other code now. `patient`: a file that is empty or gone is being saved.

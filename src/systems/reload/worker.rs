@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use super::assets::SceneFiles;
 use super::event::Problem;
 use super::shaders::ShaderFolder;
-use super::watcher::Folders;
+use super::watcher::{Folders, Place, Watched};
 use crate::gpu::Code;
 use crate::scene::Loaded;
 
@@ -81,7 +81,7 @@ pub struct Worker {
 impl Worker {
     /// Works until it is told to stop, or nobody is left to tell it anything.
     pub fn run(mut self) {
-        let mut all = self.watch();
+        let mut all = self.watch().all;
         // What was saved between reading and watching.
         let mut next = Some(Message::Touched(Instant::now()));
         while let Some(message) = next.take().or_else(|| self.receive(all)) {
@@ -94,9 +94,10 @@ impl Worker {
             if !self.look(saved, force) {
                 return;
             }
-            // A folder may have been made anew, and a scene may name files in others.
-            let before = std::mem::replace(&mut all, self.watch());
-            if all && !before {
+            // A folder may have been made anew, a scene may name files in others, and a link may lead elsewhere.
+            let watched = self.watch();
+            all = watched.all;
+            if watched.more {
                 // What was saved between the look and the watch.
                 next = Some(Message::Touched(Instant::now()));
             }
@@ -155,10 +156,10 @@ impl Worker {
         sent
     }
 
-    /// Watches what is to be watched now. Whether all of it is there.
-    fn watch(&mut self) -> bool {
-        let shaders = self.shaders.iter().map(|shaders| (shaders.folder().to_path_buf(), true));
-        let scenes = self.scene.iter().flat_map(SceneFiles::folders).map(|folder| (folder, false));
+    /// Watches what is to be watched now.
+    fn watch(&mut self) -> Watched {
+        let shaders = self.shaders.iter().flat_map(ShaderFolder::places);
+        let scenes = self.scene.iter().flat_map(SceneFiles::folders).map(|folder| Place { folder, below: false });
         self.folders.watch(shaders.chain(scenes).collect::<Vec<_>>())
     }
 }

@@ -25,6 +25,7 @@ use crate::app::interrupt::Interrupt;
 use crate::app::progress::{Goal, Meter};
 use crate::app::stage::{Stage, Watch};
 use crate::app::{Exit, Failure, output};
+use crate::files;
 use crate::gpu::Gpu;
 use crate::image::file;
 use crate::scene::{self, SceneDescription};
@@ -35,6 +36,8 @@ use reference::{Reference, Shelf};
 
 /// The files that are written, beside the plots.
 const FILES: [&str; 3] = ["bench.json", "bench.csv", "bench.md"];
+/// Bytes that a file of an earlier benchmark may have.
+const LIMIT: u64 = 256 << 20;
 
 /// A scene to be measured.
 struct Subject {
@@ -46,7 +49,7 @@ struct Subject {
 
 /// Measures, writes all files, and compares with an earlier benchmark if that is asked for.
 pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
-    let interrupt = Interrupt::listen();
+    let interrupt = Interrupt::listen(Exit::Interrupted);
     let earlier = arguments.against.as_deref().map(against::read).transpose()?;
     // What is measured for an hour is not to end in a refusal.
     for name in FILES {
@@ -69,6 +72,7 @@ pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
         }
     }
     watch.meter.finish();
+    watch.interrupt.hold();
     bench.interrupted = watch.interrupt.asked() || fault.is_some();
     let told = tell(&bench, arguments, earlier.as_ref())?;
     match (fault, watch.interrupt.asked()) {
@@ -167,7 +171,10 @@ fn measure_scene(
     for configuration in &arguments.configs {
         watch.meter.rename(&format!("{}, {configuration}", description.name));
         let measured = measure::measure(&mut stage, *configuration, arguments.extent(), &reference, watch)?;
-        bench.scenes[at].configurations.extend(measured);
+        if let Some(measured) = measured {
+            bench.scenes[at].configurations.push(measured);
+            watch.interrupt.hold();
+        }
     }
     bench.scenes[at].triangles = stage.report()?.triangles;
     Ok(())
@@ -214,6 +221,6 @@ fn tell(bench: &Bench, arguments: &LightArguments, earlier: Option<&Bench>) -> R
 
 /// Reads a file of an earlier benchmark, or of anything else in JSON.
 fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, BenchError> {
-    let bytes = std::fs::read(path).map_err(|source| BenchError::file(path, source))?;
+    let bytes = files::read(path, LIMIT).map_err(|source| BenchError::file(path, source))?;
     serde_json::from_slice(&bytes).map_err(|source| BenchError::Earlier { path: path.to_path_buf(), source })
 }
