@@ -34,6 +34,7 @@ mod sampler;
 mod save;
 mod scene;
 mod shader;
+mod shader_depth;
 mod shader_errors;
 mod shader_fuzz;
 mod sky;

@@ -14,6 +14,7 @@ use super::error::{ErrorKind, ShaderError, Source};
 use super::generated::Shared;
 use super::link::{self, Linked};
 use super::module::{self, Module};
+use super::stack::on_large_stack;
 
 /// Every file of shaders/: (module, text).
 static EMBEDDED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
@@ -27,7 +28,7 @@ pub struct Library {
     /// Before the module's name in messages: `shaders`.
     folder: String,
     /// By name; one that can't be read keeps the reason.
-    modules: BTreeMap<String, Result<Arc<Source>, String>>,
+    modules: BTreeMap<String, Result<Arc<Source>, ShaderError>>,
     shared: Shared,
 }
 
@@ -64,7 +65,8 @@ impl Library {
 
     /// The library with one module replaced or added.
     pub fn with(mut self, module: &str, text: &str) -> Self {
-        self.insert(module, Ok(text.to_owned()));
+        let source = self.source(module, text.to_owned());
+        self.modules.insert(module.to_owned(), Ok(source));
         self
     }
 
@@ -112,7 +114,10 @@ impl Library {
         let mut hasher = DefaultHasher::new();
         match self.modules.get(module)? {
             Ok(source) => source.text.hash(&mut hasher),
-            Err(reason) => reason.hash(&mut hasher),
+            Err(error) => {
+                error.message.hash(&mut hasher);
+                error.place.as_ref().map(|place| &place.source.text).hash(&mut hasher);
+            }
         }
         Some(hasher.finish())
     }
@@ -121,7 +126,7 @@ impl Library {
     ///
     /// Fails on the first thing that is wrong, at its place in the file that holds it.
     pub fn link(&self, module: &str, features: &Features) -> Result<Linked, ShaderError> {
-        link::link(self, module, features)
+        on_large_stack(|| link::link(self, module, features))
     }
 
     /// Whether all modules have the same texts.
@@ -139,10 +144,7 @@ impl Library {
     pub(super) fn scan(&self, name: &str, features: &Features) -> Result<Module, ShaderError> {
         match self.modules.get(name) {
             Some(Ok(source)) => module::scan(source, features),
-            Some(Err(reason)) => {
-                let message = format!("{}/{name}.wgsl: this file can't be read: {reason}", self.folder);
-                Err(ShaderError::nowhere(ErrorKind::Read, message))
-            }
+            Some(Err(error)) => Err(error.clone()),
             None => Err(ShaderError::nowhere(ErrorKind::Import, format!("there is no shader `{name}`"))
                 .help(format!("shaders are named by their path below {}/, without .wgsl", self.folder))),
         }
@@ -157,9 +159,29 @@ impl Library {
         self.modules.contains_key(name)
     }
 
-    fn insert(&mut self, module: &str, text: Result<String, String>) {
-        let file = format!("{}/{module}.wgsl", self.folder);
-        self.modules.insert(module.to_owned(), text.map(|text| Arc::new(Source { file, text })));
+    fn source(&self, module: &str, text: String) -> Arc<Source> {
+        Arc::new(Source { file: format!("{}/{module}.wgsl", self.folder), text })
+    }
+
+    /// What a file of the folder holds: text, or what is wrong with it.
+    fn read(&self, module: &str, path: &Path) -> Result<Arc<Source>, ShaderError> {
+        let bytes = fs::read(path).map_err(|error| {
+            let message = format!("{}/{module}.wgsl: this file can't be read: {error}", self.folder);
+            ShaderError::nowhere(ErrorKind::Read, message)
+        })?;
+        let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&bytes);
+        match std::str::from_utf8(bytes) {
+            Ok(text) => Ok(self.source(module, text.to_owned())),
+            Err(error) => {
+                let at = error.valid_up_to();
+                let source = self.source(module, String::from_utf8_lossy(bytes).into_owned());
+                let message = format!("byte {at} of this file, 0x{:02x}, is not UTF-8", bytes[at]);
+                Err(ShaderError::at(ErrorKind::Read, &source, at..at, message).help(match bytes {
+                    [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "it is UTF-16: save it as UTF-8".to_owned(),
+                    _ => format!("save it as UTF-8; in Latin-1 this byte is `{}`", char::from(bytes[at])),
+                }))
+            }
+        }
     }
 
     fn read_folder(&mut self, folder: &Path, prefix: &str) -> Result<(), (String, std::io::Error)> {
@@ -170,9 +192,9 @@ impl Library {
             if path.is_dir() {
                 self.read_folder(&path, &format!("{prefix}{name}/"))?;
             } else if let Some(stem) = name.strip_suffix(".wgsl") {
-                let text = fs::read_to_string(&path).map_err(|error| error.to_string());
-                let text = text.map(|text| text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text));
-                self.insert(&format!("{prefix}{stem}"), text);
+                let module = format!("{prefix}{stem}");
+                let source = self.read(&module, &path);
+                self.modules.insert(module, source);
             }
         }
         Ok(())
