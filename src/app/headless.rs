@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use super::arguments::RenderArguments;
 use super::interrupt::Interrupt;
-use super::progress::{Goal, Meter};
+use super::progress::{Goal, Meter, telling};
 use super::report::{Account, Seconds};
 use super::scene::Opened;
 use super::{Exit, Failure, output};
@@ -17,6 +17,9 @@ use crate::systems::save::{Output, Picture, SaveError};
 /// Tracing between two looks at the clock and at signals.
 const STEP: Duration = Duration::from_millis(100);
 
+/// What is said where there is nothing to write.
+const NOTHING: &str = "interrupted before the first sample: nothing was written";
+
 /// How tracing ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Ended {
@@ -26,7 +29,7 @@ enum Ended {
 
 /// Loads, renders, saves and reports. `started` is when the process began.
 pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
-    let interrupt = Interrupt::listen();
+    let interrupt = Interrupt::listen_without_keeping(Exit::Interrupted, Some(NOTHING));
     let begin = Instant::now();
     let Opened { path, mut description, .. } = arguments.flags.open(&arguments.scene, arguments.quiet)?;
     if arguments.time.is_some() && arguments.flags.spp.is_none() {
@@ -52,7 +55,7 @@ pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Fai
     let film = engine.film().map_err(Failure::engine)?;
     let report = engine.report().map_err(Failure::engine)?;
     if report.samples == 0 {
-        output::note("interrupted before the first sample: nothing was written");
+        output::note(NOTHING);
         return Ok(Exit::Interrupted);
     }
     let seconds =
@@ -117,9 +120,23 @@ fn trace(
         seconds: arguments.time,
     };
     let mut meter = Meter::new(&description.name, goal, arguments.quiet);
+    let mut first = true;
     loop {
         let left = arguments.time.map_or(STEP, |time| Duration::from_secs_f64(time).saturating_sub(meter.elapsed()));
-        let step = engine.step(STEP.min(left)).map_err(Failure::engine)?;
+        let waiting = |since: Duration| {
+            if !arguments.quiet {
+                output::note(&format!("compiling .. {} s", since.as_secs()));
+            }
+        };
+        let step = match first {
+            true => telling(waiting, || engine.step(STEP.min(left))),
+            false => engine.step(STEP.min(left)),
+        };
+        let step = step.map_err(Failure::engine)?;
+        first = false;
+        if step.samples > 0 {
+            interrupt.keep();
+        }
         meter.advance(step.samples, step.spp);
         let ended = match (step.finished, interrupt.asked()) {
             (true, _) => Some(Ended::Finished),

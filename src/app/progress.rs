@@ -1,6 +1,7 @@
 //! How far a render is, on stderr: a bar on a terminal, a line now and then elsewhere, nothing if it is to be quiet.
 
 use std::io::IsTerminal;
+use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -18,6 +19,12 @@ const LOOK: Duration = Duration::from_secs(2);
 
 /// A look may cost one part in so many of the time.
 const LOOK_SHARE: u32 = 50;
+
+/// Work that takes longer than this is told.
+const LATE: Duration = Duration::from_secs(2);
+
+/// And again after each of these.
+const AGAIN: Duration = Duration::from_secs(5);
 
 /// What ends the render.
 #[derive(Clone, Copy, Debug)]
@@ -149,6 +156,24 @@ impl Meter {
         }
         text
     }
+}
+
+/// Does some work, of which the first compile is the longest part, and tells how long it has taken once that is long.
+pub fn telling<T>(tell: impl Fn(Duration) + Send, work: impl FnOnce() -> T) -> T {
+    let (done, ended) = channel::<()>();
+    std::thread::scope(|scope| {
+        scope.spawn(move || {
+            let begin = Instant::now();
+            let mut wait = LATE;
+            while ended.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
+                tell(begin.elapsed());
+                wait = AGAIN;
+            }
+        });
+        let result = work();
+        drop(done);
+        result
+    })
 }
 
 /// Seconds as people read them: `12 s`, `3:07`, `2:03:07`.

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::arguments::WatchArguments;
 use super::failure::show;
 use super::interrupt::Interrupt;
+use super::progress::telling;
 use super::{Exit, Failure};
 use crate::gpu::{Gpu, GpuError};
 use crate::systems::reload::{Problem, ReloadEvent, Restarts};
@@ -22,13 +23,17 @@ const IDLE: Duration = Duration::from_millis(200);
 
 /// Renders until a signal comes, or nobody reads the events any more.
 pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
-    let interrupt = Interrupt::listen();
+    let interrupt = Interrupt::listen_without_keeping(Exit::Done, None);
     let opened = arguments.flags.open(&arguments.scene, arguments.quiet)?;
     let library = arguments.flags.library()?;
     let gpu = Gpu::open()?;
     let mut engine = Engine::open(gpu, library.clone(), &opened.description).map_err(Failure::engine)?;
     // What is wrong from the start ends it: there is nothing yet to go on with.
-    let mut step = engine.step(STEP).map_err(Failure::engine)?;
+    let waiting = |since: Duration| {
+        // Nobody may be left to read it: the next event finds out.
+        tell(&as_json(&ReloadEvent::Compiling { files: Vec::new(), since, given_up: 0, warnings: Vec::new() }));
+    };
+    let mut step = telling(waiting, || engine.step(STEP)).map_err(Failure::engine)?;
     let size = opened.description.film.size;
     let started = json!({ "event": "watching", "scene": opened.path.display().to_string(), "size": [size.x, size.y] });
     let (wake, woken) = channel();
@@ -94,7 +99,7 @@ fn show_problems(event: &ReloadEvent) {
     let problems = match event {
         ReloadEvent::Failed { problems, .. } => problems,
         ReloadEvent::Reloaded { warnings, .. } | ReloadEvent::Linted { warnings, .. } => warnings,
-        ReloadEvent::FirstPixels { .. } => return,
+        ReloadEvent::Compiling { .. } | ReloadEvent::FirstPixels { .. } => return,
     };
     problems.iter().for_each(|problem| show(&*problem.diagnostic));
 }
@@ -123,6 +128,13 @@ fn as_json(event: &ReloadEvent) -> Value {
             }
             event
         }
+        ReloadEvent::Compiling { files, since, given_up, warnings } => json!({
+            "event": "compiling",
+            "files": files,
+            "seconds": since.as_secs(),
+            "given_up": given_up,
+            "warnings": warnings.iter().map(problem).collect::<Vec<_>>(),
+        }),
         ReloadEvent::FirstPixels { since_save } => {
             json!({ "event": "first_pixels", "milliseconds": milliseconds(*since_save) })
         }
