@@ -41,6 +41,7 @@ mod save;
 mod scene;
 mod setup;
 mod shader;
+mod shader_depth;
 mod shader_errors;
 mod shader_fuzz;
 mod sky;

@@ -222,7 +222,74 @@ fn a_file_that_is_no_text_is_an_error_only_where_it_is_imported() {
     assert_eq!(library.modules().collect::<Vec<_>>(), ["bad", "good", "lib/noise"]);
     library.link("good", &Features::new()).unwrap();
     let error = library.link("bad", &Features::new()).unwrap_err();
-    assert_eq!((error.kind, error.line_column()), (ErrorKind::Read, Some((2, 29))));
+    assert_eq!((error.kind, error.line_column()), (ErrorKind::Read, Some((1, 1))));
+    assert!(error.file().is_some_and(|file| file.ends_with("lib/noise.wgsl")), "{error}");
+}
+
+#[test]
+fn a_file_that_is_not_utf_8_is_named_with_the_byte() {
+    let folder = tempfile::tempdir().unwrap();
+    let cases: [(&[u8], (usize, usize), &str, &str); 4] = [
+        (b"fn f() {}\n// caf\xe9\n", (2, 7), "byte 16 of this file, 0xe9", "in Latin-1 this byte is `\u{e9}`"),
+        (b"\xff\xfef\0n\0", (1, 1), "byte 0 of this file, 0xff", "UTF-16"),
+        (b"// \xc3\xa9\xc3\n", (1, 5), "byte 5 of this file, 0xc3", "UTF-8"),
+        (b"fn f() {}\n\x80", (2, 1), "byte 10 of this file, 0x80", "UTF-8"),
+    ];
+    for (bytes, place, message, help) in cases {
+        std::fs::write(folder.path().join("p.wgsl"), bytes).unwrap();
+        std::fs::write(folder.path().join("q.wgsl"), "\nimport package::p::f;\n").unwrap();
+        for module in ["p", "q"] {
+            let library = Library::open(folder.path()).unwrap();
+            let error = library.link(module, &Features::new()).unwrap_err();
+            assert_eq!((error.kind, error.line_column()), (ErrorKind::Read, Some(place)), "{error}");
+            assert!(error.file().is_some_and(|file| file.ends_with("/p.wgsl")), "{error}");
+            assert!(error.message.contains(message), "{error}");
+            assert!(error.help.as_deref().is_some_and(|text| text.contains(help)), "{:?}", error.help);
+        }
+    }
+}
+
+/// Modules before and behind, so that a place in the joined text is not one in the file.
+#[test]
+fn what_naga_gives_no_place_is_placed_all_the_same() {
+    let other = (
+        "t/a",
+        "// one\n// two\nfn one(v: vec3<f32>) -> f32 {\n    if v[2] > 1.0 { return v[0]; }\n    return 3.0;\n}\n",
+    );
+    let cases: &[(&str, (usize, usize), &str)] = &[
+        ("fn f(v: vec3<f32>) -> f32 {\n    return v[3];\n}\n", (3, 13), "Index 3 is out of bounds"),
+        ("fn f(m: mat3x3<f32>) -> vec3<f32> {\n    let a = m[0];\n    return m[3] + a;\n}\n", (4, 13), "Index 3"),
+        (
+            "fn f() -> f32 {\n    var v = vec2<f32>(1.0);\n    if v[0] > v[2] {\n        return 1.0;\n    }\n    return v[1];\n}\n",
+            (4, 16),
+            "Index 2",
+        ),
+        (
+            "fn g(v: vec4<f32>) -> f32 { return v[3]; }\nfn f(v: ptr<function, vec3<f32>>) -> f32 {\n    for (var i = 0; i < 3; i++) {\n        (*v)[i] = 1.0;\n        (*v)[3u] = 2.0;\n    }\n    return 0.0;\n}\n",
+            (6, 13),
+            "Index 3",
+        ),
+        ("struct S { m: mat2x2<f32> }\nfn f(s: S) -> f32 {\n    return s.m[1][2];\n}\n", (4, 18), "Index 2"),
+        (
+            "fn f(k: i32) -> f32 {\n    let v = vec3<f32>(1.0);\n    switch k {\n        case 1: { return v[4]; }\n        default: { return v[1]; }\n    }\n}\n",
+            (5, 27),
+            "Index 4",
+        ),
+        ("fn f() {\n    var x: array<f32, 4294967295>;\n}\n", (3, 5), "array<f32, 4294967295>"),
+        ("var<private> big: array<vec4<f32>, 4000000000>;\nfn f() {}\n", (2, 1), "array<vec4<f32>, 4000000000>"),
+        ("struct S { a: array<vec4<f32>, 4000000000> }\nfn f(s: S) {}\n", (2, 12), "struct member is too large"),
+    ];
+    for (text, place, message) in cases {
+        let root = format!("import package::t::a::one;\n{text}");
+        let found = error(&[("t/p", &root), other]);
+        assert_eq!(found.file(), Some("shaders/t/p.wgsl"), "{text}: {found}");
+        assert_eq!(found.line_column(), Some(*place), "{text}: {found}");
+        assert!(found.message.contains(message) && !found.message.contains(" ["), "{text}: {found}");
+        // The same in a module that is imported.
+        let inner = [("t/p", "import package::t::b::f;\n\n"), ("t/b", &root), other];
+        let found = error(&inner);
+        assert_eq!((found.file(), found.line_column()), (Some("shaders/t/b.wgsl"), Some(*place)), "{text}: {found}");
+    }
 }
 
 #[test]

@@ -33,8 +33,9 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
     }
     let mut text = format!("{files} {}", plural(files, "asset", "assets"));
     if arguments.paths.is_empty() {
-        let (variants, wrong) = check_shaders();
+        let (variants, wrong, slow) = check_shaders();
         errors += wrong;
+        warnings += slow;
         text += &format!(", {} passes in {variants} variants", TABLE.len());
     }
     text += &format!(
@@ -69,31 +70,37 @@ fn assets() -> PathBuf {
     if here.is_dir() { here.to_path_buf() } else { Path::new(env!("CARGO_MANIFEST_DIR")).join("assets") }
 }
 
-/// Links every pass under every set of features its modules name, and checks its row. How many variants were right, and
-/// how many mistakes there are.
-fn check_shaders() -> (usize, usize) {
+/// Links every pass under every set of features its modules name, and checks its row. How many variants were right, how
+/// many mistakes there are, and how many warnings.
+fn check_shaders() -> (usize, usize, usize) {
     let library = Library::shipped();
     let mut variants = 0;
-    let mut told = BTreeSet::new();
+    // One mistake in a shared module would be told once a pass.
+    let (mut errors, mut warnings) = (BTreeSet::new(), BTreeSet::new());
     for pass in TABLE {
         match check_pass(&library, pass) {
-            Ok(count) => variants += count,
-            // One mistake in a shared module would be told once a pass.
+            Ok((count, slow)) => {
+                variants += count;
+                slow.iter().filter(|warning| warnings.insert(warning.to_string())).for_each(|warning| show(warning));
+            }
             Err(error) => {
-                if told.insert(error.to_string()) {
+                if errors.insert(error.to_string()) {
                     show(&error);
                 }
             }
         }
     }
-    (variants, told.len())
+    (variants, errors.len(), warnings.len())
 }
 
-/// How many variants a pass has, if all are right.
-fn check_pass(library: &Library, pass: &Pass) -> Result<usize, ShaderError> {
+/// How many variants a pass has, if all are right, and what of them is slow to compile.
+fn check_pass(library: &Library, pass: &Pass) -> Result<(usize, Vec<ShaderError>), ShaderError> {
     let sets = library.feature_sets(pass.module)?;
+    let mut slow = Vec::new();
     for features in &sets {
-        checked_entry(pass, &library.link(pass.module, features)?, features)?;
+        let linked = library.link(pass.module, features)?;
+        slow.extend(linked.large_variables());
+        checked_entry(pass, &linked, features)?;
     }
-    Ok(sets.len())
+    Ok((sets.len(), slow))
 }

@@ -19,6 +19,9 @@ use crate::systems::Engine;
 /// Tracing between two looks at the clock and at signals.
 const STEP: Duration = Duration::from_millis(100);
 
+/// What is said where there is nothing to write.
+const NOTHING: &str = "interrupted before the first sample: nothing was written";
+
 /// How tracing ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Ended {
@@ -51,7 +54,7 @@ pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Fai
     let film = engine.film().map_err(Failure::engine)?;
     let report = engine.report().map_err(Failure::engine)?;
     if report.samples == 0 {
-        output::note("interrupted before the first sample: nothing was written");
+        output::note(NOTHING);
         return Ok(Exit::Interrupted);
     }
     let seconds =

@@ -28,13 +28,17 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
     let library = arguments.flags.library()?;
     let gpu = Gpu::open()?;
     let mut engine = Engine::open(gpu, library.clone(), &opened.description).map_err(Failure::engine)?;
-    if !arguments.quiet {
-        engine.on_compiling(watch_compiling(|seconds| {
-            if is_due(seconds) {
+    let quiet = arguments.quiet;
+    engine.on_compiling(watch_compiling(move |seconds| {
+        if is_due(seconds) {
+            let since = Duration::from_secs(seconds);
+            // Nobody may be left to read it: the next event finds out.
+            tell(&as_json(&ReloadEvent::Compiling { files: Vec::new(), since, given_up: 0, warnings: Vec::new() }));
+            if !quiet {
                 output::note(&line(seconds));
             }
-        }));
-    }
+        }
+    }));
     // What is wrong from the start ends it: there is nothing yet to go on with.
     let mut step = engine.step(STEP).map_err(Failure::engine)?;
     let size = opened.description.film.size;
@@ -102,7 +106,7 @@ fn show_problems(event: &ReloadEvent) {
     let problems = match event {
         ReloadEvent::Failed { problems, .. } => problems,
         ReloadEvent::Reloaded { warnings, .. } | ReloadEvent::Linted { warnings, .. } => warnings,
-        ReloadEvent::FirstPixels { .. } => return,
+        ReloadEvent::Compiling { .. } | ReloadEvent::FirstPixels { .. } => return,
     };
     problems.iter().for_each(|problem| show(&*problem.diagnostic));
 }
@@ -131,6 +135,13 @@ fn as_json(event: &ReloadEvent) -> Value {
             }
             event
         }
+        ReloadEvent::Compiling { files, since, given_up, warnings } => json!({
+            "event": "compiling",
+            "files": files,
+            "seconds": since.as_secs(),
+            "given_up": given_up,
+            "warnings": warnings.iter().map(problem).collect::<Vec<_>>(),
+        }),
         ReloadEvent::FirstPixels { since_save } => {
             json!({ "event": "first_pixels", "milliseconds": milliseconds(*since_save) })
         }

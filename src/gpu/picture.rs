@@ -4,7 +4,7 @@ use glam::{UVec2, Vec2};
 
 use super::{Gpu, GpuError, Runtime};
 use crate::layout::window::WindowParams;
-use crate::shader::{Features, Library};
+use crate::shader::{Features, Library, on_large_stack};
 
 /// The module that draws it.
 const MODULE: &str = "window/picture";
@@ -51,7 +51,7 @@ pub(super) struct PictureDrawing {
 impl PictureDrawing {
     pub fn new(gpu: &Gpu, library: &Library, format: wgpu::TextureFormat) -> Result<Self, GpuError> {
         let module = library.link(MODULE, &Features::new())?.module;
-        gpu.guarded("the pipeline that draws the picture", || {
+        let make = || {
             let storage = |binding| wgpu::BindGroupLayoutEntry {
                 binding,
                 visibility: wgpu::ShaderStages::FRAGMENT,
@@ -73,7 +73,8 @@ impl PictureDrawing {
                 last: buffer(gpu, "last picture", 4),
                 last_size: UVec2::ZERO,
             }
-        })
+        };
+        on_large_stack(|| gpu.guarded("the pipeline that draws the picture", make))
     }
 
     /// Says what is drawn next, and where.

@@ -8,7 +8,7 @@ use super::entry::checked_entry;
 use super::{Gpu, GpuError};
 use crate::passes::table::TABLE;
 use crate::passes::{Access, Pass};
-use crate::shader::{EntryPoint, Features, Library, Linked, Place, ResourceKind};
+use crate::shader::{EntryPoint, Features, Library, Linked, Place, ResourceKind, ShaderError, on_large_stack};
 
 /// Rounds of all loops of one invocation of an edited shader. The longest paths that a scene may ask for take half as many.
 const ROUNDS: u32 = 1 << 18;
@@ -70,12 +70,14 @@ impl Compiler {
     }
 
     /// Links passes and compiles those for which `known` has nothing, each in a thread of its own: drivers compile in
-    /// parallel. `known` is asked with a pass, the features its code depends on, and the fingerprint of its code.
+    /// parallel. `known` is asked with a pass, the features its code depends on, and its code; `warn` gets what a driver that
+    /// draws on the processor will take long for.
     pub(super) fn make(
         &self,
         library: &Library,
         wanted: &[(&'static Pass, Features)],
         known: impl Fn(&Pass, &Features, &Linked) -> Option<Arc<Pipeline>> + Sync,
+        warn: &(dyn Fn(ShaderError) + Sync),
     ) -> Result<Vec<Use>, GpuError> {
         let make = |pass: &'static Pass, features: &Features| -> Result<Use, GpuError> {
             let mut linked = library.link(pass.module, features)?;
@@ -84,6 +86,9 @@ impl Compiler {
                 Some(pipeline) if pipeline.limited => (pipeline, linked.limit_loops(self.rounds(), 0)?),
                 Some(pipeline) => (pipeline, Vec::new()),
                 None => {
+                    if self.gpu.is_software() {
+                        linked.large_variables().into_iter().for_each(warn);
+                    }
                     let (pipeline, loops) = self.compile(pass, linked, features)?;
                     (Arc::new(pipeline), loops)
                 }
@@ -92,8 +97,10 @@ impl Compiler {
         };
         std::thread::scope(|scope| {
             let make = &make;
-            let threads: Vec<_> =
-                wanted.iter().map(|(pass, features)| scope.spawn(move || make(pass, features))).collect();
+            let threads: Vec<_> = wanted
+                .iter()
+                .map(|(pass, features)| scope.spawn(move || on_large_stack(|| make(pass, features))))
+                .collect();
             let join = |made: std::thread::ScopedJoinHandle<'_, _>| {
                 made.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
             };
@@ -171,7 +178,7 @@ impl Pipelines {
         }
         let kept = &self.kept;
         let known = |pass: &Pass, key: &Features, _: &Linked| kept.get(&(pass.name, key.clone())).cloned();
-        let made = self.compiler.make(&self.library, &missing, known)?;
+        let made = self.compiler.make(&self.library, &missing, known, &|_| {})?;
         self.keep(made);
         Ok(())
     }
@@ -230,15 +237,20 @@ impl Compiler {
     /// What the passes in use come to with another library; compiles only what is other code. Nothing that runs is touched.
     ///
     /// Where no pass in use imports some module of `edited`, every pass is linked with all features, so that a mistake in it
-    /// is told today and not when a scene first needs it.
-    pub fn remake(&self, library: Library, edited: &BTreeSet<String>) -> Result<Code, GpuError> {
+    /// is told today and not when a scene first needs it. `warn` is given, before it is compiled, what will take long.
+    pub fn remake(
+        &self,
+        library: Library,
+        edited: &BTreeSet<String>,
+        warn: &(dyn Fn(ShaderError) + Sync),
+    ) -> Result<Code, GpuError> {
         let old: BTreeMap<&'static str, Use> = self.in_use().clone();
         let wanted: Vec<_> = old.values().map(|used| (used.pass, used.features.clone())).collect();
         let same = |pass: &Pass, _: &Features, linked: &Linked| {
             let pipeline = &old.get(pass.name)?.pipeline;
             (pipeline.fingerprint == linked.fingerprint()).then(|| pipeline.clone())
         };
-        let uses = self.make(&library, &wanted, same)?;
+        let uses = self.make(&library, &wanted, same, warn)?;
         if edited.iter().any(|module| !uses.iter().any(|used| used.imports.contains(module))) {
             let all = library.features()?;
             for pass in TABLE {

@@ -12,7 +12,7 @@ use super::error::{ErrorKind, ShaderError};
 use super::generated::{FILE, Generated};
 use super::library::Library;
 use super::link::SourceMap;
-use super::{Features, message, site};
+use super::{Features, depth, message, seek, site};
 
 /// Makes naga's module of a joined text: valid, of the layout that Rust has, and without what no entry point uses.
 pub fn check(
@@ -24,6 +24,9 @@ pub fn check(
 ) -> Result<(Module, ModuleInfo), ShaderError> {
     let mut module =
         naga::front::wgsl::parse_str(text).map_err(|error| parse_error(&error, text, map, library, features))?;
+    if let Some((range, message)) = depth::check_module(&module) {
+        return Err(map.error(ErrorKind::Type, range.unwrap_or_else(|| map.first_declaration()), message));
+    }
     validate(&module, text, map)?;
     check_bindings(&module, map)?;
     for layout in &generated.structs {
@@ -47,8 +50,13 @@ fn parse_error(
     library: &Library,
     features: &Features,
 ) -> ShaderError {
-    let message = error.message().replace("found \"\"", "found the end of the file");
-    let range = error.labels().find_map(|(span, _)| span.to_range()).unwrap_or(text.len()..text.len());
+    let message = message::without_handles(error.message());
+    let labels: Vec<Range<usize>> = error.labels().filter_map(|(span, _)| span.to_range()).collect();
+    // What is made from Rust is right: the mistake is where it is used.
+    let labelled = labels.iter().find(|range| !map.is_generated(range)).or(labels.first()).cloned();
+    let sought = labelled.or_else(|| seek::place(text, &message));
+    let range = sought.unwrap_or_else(|| map.first_declaration());
+    let message = message.replace("found \"\"", "found the end of the file");
     // naga has one type for all errors of its front end: those of the grammar say what they expected.
     let syntax = message.starts_with("expected") || message.contains("reserved keyword");
     let kind = if syntax { ErrorKind::Syntax } else { ErrorKind::Type };
@@ -76,10 +84,14 @@ fn declaring_module<'a>(library: &'a Library, features: &Features, name: &str) -
 /// naga's first label of a type error is the whole function: the narrowest is where the error is.
 fn validation_error(error: &WithSpan<ValidationError>, module: &Module, text: &str, map: &SourceMap) -> ShaderError {
     let ranges = error.spans().filter_map(|(span, _)| span.to_range());
-    let narrowest = ranges.filter(|range| !range.is_empty()).min_by_key(Range::len);
+    let narrowest = ranges.filter(|range| !range.is_empty()).min_by_key(|range| (map.is_generated(range), range.len()));
     let range = match (narrowest, site::of(error.as_inner(), module).and_then(Span::to_range)) {
         (Some(range), Some(site)) if site.start <= range.start && range.end <= site.end => range,
-        (range, site) => site.or(range).unwrap_or_else(|| site::in_text(error.as_inner(), text)),
+        (range, site) => site
+            .or(range)
+            .or_else(|| site::of_type(error.as_inner(), module).and_then(Span::to_range))
+            .or_else(|| site::in_text(error.as_inner(), text))
+            .unwrap_or_else(|| map.first_declaration()),
     };
     let kind = match error.as_inner() {
         ValidationError::GlobalVariable { source: GlobalVariableError::InvalidBinding, .. } => ErrorKind::Binding,

@@ -35,6 +35,8 @@ pub enum ErrorKind {
     Layout,
     /// A loop of an edited shader that had to be ended while it ran.
     Loop,
+    /// No error: what some drivers take long to compile.
+    Slow,
 }
 
 /// An error in a shader, at its place in the original file. Displays as `file:line:column: message`.
@@ -165,7 +167,7 @@ impl miette::SourceCode for Source {
 
 impl miette::Diagnostic for ShaderError {
     fn severity(&self) -> Option<miette::Severity> {
-        Some(miette::Severity::Error)
+        Some(if self.kind == ErrorKind::Slow { miette::Severity::Warning } else { miette::Severity::Error })
     }
 
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {

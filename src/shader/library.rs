@@ -15,6 +15,7 @@ use super::generated::Shared;
 use super::link::{self, Linked};
 use super::module::{self, Module};
 use super::names;
+use super::stack::on_large_stack;
 
 /// Every file of shaders/: (module, text).
 static EMBEDDED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
@@ -31,7 +32,7 @@ pub struct Library {
     /// Before the module's name in messages: `shaders`.
     folder: String,
     /// By name; one that can't be read keeps the reason.
-    modules: BTreeMap<String, Result<Arc<Source>, String>>,
+    modules: BTreeMap<String, Result<Arc<Source>, ShaderError>>,
     /// The folders below that can't be read, each with the reason: no module in them is known.
     unread: Vec<(String, String)>,
     shared: Shared,
@@ -59,7 +60,8 @@ impl Library {
         })?;
         for path in found.files {
             if let Some(name) = path.strip_prefix(folder).ok().and_then(names::module_name) {
-                library.insert(&name, read_text(&path).map_err(|error| error.to_string()));
+                let source = library.read(&name, &path);
+                library.modules.insert(name, source);
             }
         }
         let unread = |(path, error): (PathBuf, std::io::Error)| {
@@ -82,7 +84,8 @@ impl Library {
 
     /// The library with one module replaced or added.
     pub fn with(mut self, module: &str, text: &str) -> Self {
-        self.insert(module, Ok(text.to_owned()));
+        let source = self.source(module, text.to_owned());
+        self.modules.insert(module.to_owned(), Ok(source));
         self
     }
 
@@ -130,7 +133,10 @@ impl Library {
         let mut hasher = DefaultHasher::new();
         match self.modules.get(module)? {
             Ok(source) => source.text.hash(&mut hasher),
-            Err(reason) => reason.hash(&mut hasher),
+            Err(error) => {
+                error.message.hash(&mut hasher);
+                error.place.as_ref().map(|place| &place.source.text).hash(&mut hasher);
+            }
         }
         Some(hasher.finish())
     }
@@ -139,7 +145,7 @@ impl Library {
     ///
     /// Fails on the first thing that is wrong, at its place in the file that holds it.
     pub fn link(&self, module: &str, features: &Features) -> Result<Linked, ShaderError> {
-        link::link(self, module, features)
+        on_large_stack(|| link::link(self, module, features))
     }
 
     /// Whether all modules have the same texts.
@@ -157,10 +163,7 @@ impl Library {
     pub(super) fn scan(&self, name: &str, features: &Features) -> Result<Module, ShaderError> {
         match self.modules.get(name) {
             Some(Ok(source)) => module::scan(source, features),
-            Some(Err(reason)) => {
-                let message = format!("{}/{name}.wgsl: this file can't be read: {reason}", self.folder);
-                Err(ShaderError::nowhere(ErrorKind::Read, message))
-            }
+            Some(Err(error)) => Err(error.clone()),
             None => Err(self.unknown(name)),
         }
     }
@@ -185,17 +188,30 @@ impl Library {
         self.modules.contains_key(name)
     }
 
-    fn insert(&mut self, module: &str, text: Result<String, String>) {
-        let file = format!("{}/{module}.wgsl", self.folder);
-        self.modules.insert(module.to_owned(), text.map(|text| Arc::new(Source { file, text })));
+    fn source(&self, module: &str, text: String) -> Arc<Source> {
+        Arc::new(Source { file: format!("{}/{module}.wgsl", self.folder), text })
     }
-}
 
-/// The text of a file, without its byte order mark.
-fn read_text(path: &Path) -> std::io::Result<String> {
-    let text =
-        String::from_utf8(files::read(path, LIMIT)?).map_err(|_| std::io::Error::other("it is not UTF-8 text"))?;
-    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
+    /// What a file of the folder holds: text, or what is wrong with it.
+    fn read(&self, module: &str, path: &Path) -> Result<Arc<Source>, ShaderError> {
+        let bytes = files::read(path, LIMIT).map_err(|error| {
+            let message = format!("{}/{module}.wgsl: this file can't be read: {error}", self.folder);
+            ShaderError::nowhere(ErrorKind::Read, message)
+        })?;
+        let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&bytes);
+        match std::str::from_utf8(bytes) {
+            Ok(text) => Ok(self.source(module, text.to_owned())),
+            Err(error) => {
+                let at = error.valid_up_to();
+                let source = self.source(module, String::from_utf8_lossy(bytes).into_owned());
+                let message = format!("byte {at} of this file, 0x{:02x}, is not UTF-8", bytes[at]);
+                Err(ShaderError::at(ErrorKind::Read, &source, at..at, message).help(match bytes {
+                    [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "it is UTF-16: save it as UTF-8".to_owned(),
+                    _ => format!("save it as UTF-8; in Latin-1 this byte is `{}`", char::from(bytes[at])),
+                }))
+            }
+        }
+    }
 }
 
 /// A path as it is told, the same on every system.

@@ -7,10 +7,12 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::error::{ErrorKind, Place, ShaderError, Source};
-use super::generated::Generated;
+use super::generated::{FILE, Generated};
 use super::library::Library;
 use super::module::{Import, Module, Named};
-use super::{Features, budget, check, token};
+use super::stack::on_large_stack;
+use super::token::{self, TokenKind};
+use super::{Features, budget, check, depth};
 
 /// A module with all it imports: parsed, valid, and rid of what no entry point uses.
 #[derive(Debug)]
@@ -61,9 +63,43 @@ impl Linked {
     /// becomes a binding of those entry points that have loops. Returns the places of the loops, in the order of their
     /// numbers, of which the first is `first`.
     pub fn limit_loops(&mut self, rounds: u32, first: u32) -> Result<Vec<Place>, ShaderError> {
-        let spans = budget::limit_loops(&mut self.module, rounds, first);
-        self.info = check::validate(&self.module, &self.text, &self.map)?;
+        let spans = on_large_stack(|| {
+            let spans = budget::limit_loops(&mut self.module, rounds, first);
+            self.info = check::validate(&self.module, &self.text, &self.map)?;
+            Ok::<_, ShaderError>(spans)
+        })?;
         Ok(spans.into_iter().map(|span| self.place(span.to_range().unwrap_or(0..0))).collect())
+    }
+
+    /// Warnings of variables that each invocation has for itself and that are large: drivers that draw on the processor
+    /// take them apart into numbers. Mesa 22 compiles 16 KiB as fast as nothing, 64 KiB in 20 s, and 256 KiB without end.
+    pub fn large_variables(&self) -> Vec<ShaderError> {
+        const LARGE: u32 = 16 << 10;
+        let module = &self.module;
+        let entries = module.entry_points.iter().map(|entry| &entry.function);
+        let functions = module.functions.iter().map(|(_, function)| function).chain(entries);
+        let locals = functions.flat_map(|function| {
+            let variables = function.local_variables.iter();
+            variables.map(|(handle, variable)| (&variable.name, variable.ty, function.local_variables.get_span(handle)))
+        });
+        let globals = module.global_variables.iter();
+        let globals = globals.filter(|(_, variable)| variable.space == naga::AddressSpace::Private);
+        let globals =
+            globals.map(|(handle, variable)| (&variable.name, variable.ty, module.global_variables.get_span(handle)));
+        let mut warnings = Vec::new();
+        for (name, ty, span) in globals.chain(locals) {
+            let bytes = module.types[ty].inner.size(module.to_ctx());
+            if bytes > LARGE {
+                let name = name.as_deref().unwrap_or("_");
+                let message = format!("`{name}` takes {bytes} bytes in each invocation");
+                let place = self.place(span.to_range().unwrap_or_else(|| self.map.first_declaration()));
+                warnings.push(ShaderError::of(ErrorKind::Slow, place, message).help(
+                    "drivers that draw on the processor take minutes to compile this, or do not end: use a smaller array, \
+                     a constant, workgroup memory or a storage buffer",
+                ));
+            }
+        }
+        warnings
     }
 
     fn place(&self, range: Range<usize>) -> Place {
@@ -113,25 +149,37 @@ impl Closure {
 
     /// Which module declares each name: a place in `modules`, or None for the generated one.
     fn owners(&self) -> Result<BTreeMap<&str, Option<usize>>, ShaderError> {
+        self.check_number()?;
         let mut owners = BTreeMap::new();
-        let mut places: BTreeMap<&str, Place> = BTreeMap::new();
+        let mut first: BTreeMap<&str, (&Arc<Source>, Range<usize>)> = BTreeMap::new();
         for name in &self.generated.names {
             owners.insert(name.as_str(), None);
-            places.insert(name, Place::new(self.generated.source.clone(), 0..0));
+            first.insert(name, (&self.generated.source, 0..0));
         }
         for (index, (_, module)) in self.modules.iter().enumerate() {
             for declared in &module.declarations {
                 let name = declared.name.as_str();
-                if let Some(first) = places.get(name) {
+                if let Some((source, range)) = first.get(name) {
+                    let first = Place::new((*source).clone(), range.clone());
                     let at = format!("{}:{}:{}", first.source.file, first.line, first.column);
                     let message = format!("`{name}` is declared twice: first at {at}");
                     return Err(ShaderError::at(ErrorKind::Duplicate, &module.source, declared.range.clone(), message));
                 }
                 owners.insert(name, Some(index));
-                places.insert(name, Place::new(module.source.clone(), declared.range.clone()));
+                first.insert(name, (&module.source, declared.range.clone()));
             }
         }
         Ok(owners)
+    }
+
+    /// Refuses more declarations than naga can put in order.
+    fn check_number(&self) -> Result<(), ShaderError> {
+        let mut all =
+            self.modules.iter().flat_map(|(_, module)| module.declarations.iter().map(move |one| (module, one)));
+        let Some((module, declared)) = all.nth(depth::DECLARATIONS) else { return Ok(()) };
+        let message = format!("with what it imports this declares more than {} names", depth::DECLARATIONS);
+        Err(ShaderError::at(ErrorKind::Syntax, &module.source, declared.range.clone(), message)
+            .help("leave out what is not used, or put numbers into one array"))
     }
 
     /// Refuses a name of another module that is used without an import. Names that the module also declares somewhere
@@ -269,12 +317,36 @@ impl SourceMap {
         text.push('\n');
     }
 
-    /// The source and its range behind a range of the joined text, cut at the end of the source.
+    fn piece(&self, at: usize) -> &Piece {
+        let index = self.pieces.partition_point(|piece| piece.range.start <= at).saturating_sub(1);
+        &self.pieces[index]
+    }
+
+    /// The source and its range behind a range of the joined text, cut at the last character of the source that is seen.
     pub fn origin(&self, range: Range<usize>) -> (&Arc<Source>, Range<usize>) {
-        let index = self.pieces.partition_point(|piece| piece.range.start <= range.start).saturating_sub(1);
-        let piece = &self.pieces[index];
+        let piece = self.piece(range.start);
         let map = |at: usize| at.clamp(piece.range.start, piece.range.end) - piece.range.start + piece.offset;
-        (&piece.source, map(range.start)..map(range.end))
+        let last = piece.source.text.trim_end().char_indices().next_back().map_or(0, |(at, _)| at);
+        let start = map(range.start).min(last);
+        (&piece.source, start..map(range.end).max(start))
+    }
+
+    /// Whether a range of the joined text is in the module that is made from Rust.
+    pub fn is_generated(&self, range: &Range<usize>) -> bool {
+        self.piece(range.start).source.file == FILE
+    }
+
+    /// The first declaration of the module that was asked for: the place of what has no better one.
+    pub fn first_declaration(&self) -> Range<usize> {
+        let piece = self.pieces.last().expect("invariant: there is a piece for each module");
+        let text = &piece.source.text;
+        let tokens = token::tokenize(&piece.source).unwrap_or_default();
+        let is_word = |range: &Range<usize>| {
+            matches!(&text[range.clone()], "fn" | "struct" | "const" | "var" | "alias" | "override" | "const_assert")
+        };
+        let words = tokens.into_iter().filter(|token| token.kind == TokenKind::Word);
+        let at = words.map(|token| token.range).find(is_word).unwrap_or(0..0);
+        at.start + piece.range.start..at.end + piece.range.start
     }
 
     /// An error at a range of the joined text.

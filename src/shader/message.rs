@@ -24,6 +24,13 @@ pub fn validation(error: &ValidationError, module: &Module, text: &str) -> Strin
         ValidationError::Type { name, source, .. } if name.is_empty() => types(&chain(source), module),
         ValidationError::Type { name, source, .. } => format!("type `{name}`: {}", types(&chain(source), module)),
         ValidationError::Constant { name, source, .. } => format!("constant `{name}`: {}", chain(source)),
+        ValidationError::Layouter(error) => {
+            format!(
+                "`{}` is no type that can be laid out: {}",
+                type_text(module, error.ty),
+                types(&error.inner.to_string(), module)
+            )
+        }
         ValidationError::ConstExpression { source, .. } => {
             expressions(&chain(source), &module.global_expressions, text)
         }
@@ -174,6 +181,11 @@ fn types(message: &str, module: &Module) -> String {
     replace_handles(message, |index| {
         module.types.iter().nth(index).map(|(handle, _)| format!("`{}`", type_text(module, handle)))
     })
+}
+
+/// A message of naga's front end without the handles in it: nobody can look those up.
+pub fn without_handles(message: &str) -> String {
+    replace_handles(&message.replace("for expression [", "for ["), |_| Some("what it is taken of".to_owned()))
 }
 
 fn replace_handles(message: &str, name: impl Fn(usize) -> Option<String>) -> String {

@@ -9,6 +9,7 @@
 mod budget;
 mod check;
 mod conditional;
+mod depth;
 mod error;
 mod generated;
 mod library;
@@ -17,7 +18,9 @@ mod message;
 mod module;
 mod names;
 mod reflect;
+mod seek;
 mod site;
+mod stack;
 mod token;
 
 use std::collections::BTreeSet;
@@ -27,6 +30,7 @@ pub use error::{ErrorKind, Place, ShaderError, Source};
 pub use library::Library;
 pub use link::Linked;
 pub use reflect::{BoundResource, EntryPoint, ResourceKind};
+pub use stack::on_large_stack;
 
 /// Names of scene features, as `@if` knows them.
 pub type Features = BTreeSet<String>;

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::Features;
 use super::conditional::{self, blanked};
+use super::depth;
 use super::error::{ErrorKind, ShaderError, Source};
 use super::token::{Token, TokenKind};
 
@@ -45,6 +46,7 @@ pub struct Module {
 /// Reads a module under a set of features.
 pub fn scan(source: &Arc<Source>, features: &Features) -> Result<Module, ShaderError> {
     let resolved = conditional::resolve(source, features)?;
+    depth::check_tokens(source, &resolved.tokens)?;
     let mut scanner = Scanner {
         source,
         tokens: &resolved.tokens,

@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use naga::valid::{CallError, FunctionError, ValidationError};
-use naga::{Block, Expression, Handle, Module, Span, Statement};
+use naga::{Block, Expression, Handle, Module, Span, Statement, Type, TypeInner};
 
 /// The statement that an error is about, where that can be told.
 pub fn of(error: &ValidationError, module: &Module) -> Option<Span> {
@@ -68,10 +68,53 @@ fn find(block: &Block, test: &dyn Fn(&Statement) -> bool) -> Option<Span> {
     })
 }
 
+/// What has the type that an error is about.
+pub fn of_type(error: &ValidationError, module: &Module) -> Option<Span> {
+    match error {
+        ValidationError::Layouter(error) => user_of(error.ty, module),
+        _ => None,
+    }
+}
+
+/// The declaration of a type; of one that has none, a variable, struct, value or function that it stands in.
+pub fn user_of(ty: Handle<Type>, module: &Module) -> Option<Span> {
+    let known = |span: Span| span.is_defined().then_some(span);
+    if let Some(span) = known(module.types.get_span(ty)) {
+        return Some(span);
+    }
+    let globals = module.global_variables.iter().filter(|(_, variable)| variable.ty == ty);
+    let global = globals.map(|(handle, _)| module.global_variables.get_span(handle)).find_map(known);
+    let entries = module.entry_points.iter().map(|entry| (Span::UNDEFINED, &entry.function));
+    let functions = module.functions.iter().map(|(handle, function)| (module.functions.get_span(handle), function));
+    let local = functions.chain(entries).find_map(|(span, function)| {
+        let variables = function.local_variables.iter().filter(|(_, variable)| variable.ty == ty);
+        let values = function.expressions.iter().filter(|(_, value)| match value {
+            Expression::ZeroValue(made) | Expression::Compose { ty: made, .. } => *made == ty,
+            _ => false,
+        });
+        let signature = function.arguments.iter().map(|argument| argument.ty);
+        let in_signature = signature.chain(function.result.as_ref().map(|result| result.ty)).any(|used| used == ty);
+        variables
+            .map(|(handle, _)| function.local_variables.get_span(handle))
+            .chain(values.map(|(handle, _)| function.expressions.get_span(handle)))
+            .find_map(known)
+            .or_else(|| known(span).filter(|_| in_signature))
+    });
+    // Whatever holds it is behind it.
+    let holder = || {
+        module.types.iter().find(|(_, outer)| match &outer.inner {
+            TypeInner::Array { base, .. } | TypeInner::Pointer { base, .. } => *base == ty,
+            TypeInner::Struct { members, .. } => members.iter().any(|member| member.ty == ty),
+            _ => false,
+        })
+    };
+    global.or(local).or_else(|| holder().and_then(|(outer, _)| user_of(outer, module)))
+}
+
 /// The place of an error that has no span in naga, looked for in the text: the name of what it is about, or the type
-/// that it quotes. The end of the text, which is the module that was asked for, if all fails.
-pub fn in_text(error: &ValidationError, text: &str) -> Range<usize> {
-    let found = match error {
+/// that it quotes.
+pub fn in_text(error: &ValidationError, text: &str) -> Option<Range<usize>> {
+    match error {
         ValidationError::EntryPoint { name, .. } | ValidationError::Function { name, .. } => {
             let declaration = format!("fn {name}");
             word(text, &declaration).map(|range| range.start + 3..range.end)
@@ -81,8 +124,7 @@ pub fn in_text(error: &ValidationError, text: &str) -> Range<usize> {
             message.split('`').nth(1).and_then(|quoted| word(text, quoted))
         }
         _ => None,
-    };
-    found.unwrap_or(text.len()..text.len())
+    }
 }
 
 /// The first place of a word in a text.

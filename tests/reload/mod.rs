@@ -7,6 +7,7 @@ mod lint;
 mod many;
 mod saves;
 mod scenes;
+mod slow;
 mod table;
 mod watch;
 mod wrong;
@@ -147,7 +148,7 @@ impl Bench {
         self.wait("reload", |event| match event {
             ReloadEvent::Reloaded { restarts, .. } => Some(restarts.to_string()),
             ReloadEvent::Failed { problems, .. } => panic!("{problems:?}"),
-            ReloadEvent::FirstPixels { .. } | ReloadEvent::Linted { .. } => None,
+            ReloadEvent::Compiling { .. } | ReloadEvent::FirstPixels { .. } | ReloadEvent::Linted { .. } => None,
         })
     }
 

@@ -114,6 +114,54 @@ fn it_ends_when_it_is_told() {
     assert_eq!(watch.child.wait().unwrap().code(), Some(0));
 }
 
+/// An array that Mesa takes apart for ever.
+#[cfg(unix)]
+fn never_compiles(folder: &Path) {
+    let file = folder.join("shaders/lib/bsdf/lambert.wgsl");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let slow = text.replace("    return INV_PI * cos_theta;\n", &super::slow::with_array(65_536));
+    assert!(slow != text);
+    std::fs::write(&file, slow).unwrap();
+}
+
+/// Sends a signal; how long the process takes to end, and its code.
+#[cfg(unix)]
+fn end(watch: &mut Watch, signal: &str) -> (std::time::Duration, Option<i32>) {
+    let begin = std::time::Instant::now();
+    assert!(Command::new("kill").args([signal, &watch.child.id().to_string()]).status().unwrap().success());
+    let code = watch.child.wait().unwrap().code();
+    (begin.elapsed(), code)
+}
+
+/// A second, and as much again beside other tests.
+#[cfg(unix)]
+const SOON: std::time::Duration = std::time::Duration::from_secs(2);
+
+#[cfg(unix)]
+#[test]
+fn it_ends_while_a_driver_compiles_without_end() {
+    if !crate::support::gpu().is_software() {
+        return;
+    }
+    // From the start, and by a save.
+    let first = folder();
+    never_compiles(first.path());
+    let mut watch = Watch::start(first.path());
+    assert!(watch.next("compiling")["seconds"].as_u64().unwrap() >= 2);
+    let (took, code) = end(&mut watch, "-INT");
+    assert!(took < SOON && code == Some(0), "{took:?}, {code:?}");
+
+    let later = folder();
+    let mut watch = Watch::start(later.path());
+    watch.next("finished");
+    never_compiles(later.path());
+    let event = watch.next("compiling");
+    assert_eq!(event["files"], serde_json::json!(["shaders/lib/bsdf/lambert.wgsl"]));
+    assert_eq!(event["warnings"][0]["file"], "shaders/lib/bsdf/lambert.wgsl", "{event}");
+    let (took, code) = end(&mut watch, "-TERM");
+    assert!(took < SOON && code == Some(0), "{took:?}, {code:?}");
+}
+
 #[test]
 fn what_is_wrong_from_the_start_ends_it() {
     let folder = folder();

@@ -35,6 +35,13 @@ impl Session {
                     }
                     self.follow_files();
                 }
+                ReloadEvent::Compiling { since, given_up, .. } => {
+                    let others = match given_up {
+                        0 => String::new(),
+                        count => format!(", beside {count} older that the driver has not ended"),
+                    };
+                    self.tell(format!("compiling .. {} s{others}", since.as_secs()));
+                }
                 ReloadEvent::FirstPixels { since_save } => {
                     self.tell(format!("new pixels {} after the save", milliseconds(since_save)));
                 }

@@ -22,6 +22,15 @@ pub enum ReloadEvent {
         warnings: Vec<Problem>,
         since_save: Duration,
     },
+    /// The driver takes long to compile it: told again every few seconds. What runs goes on, and a later save takes its place.
+    Compiling {
+        files: Vec<PathBuf>,
+        since: Duration,
+        /// Older compiles that have not ended yet: a driver can't be told to stop.
+        given_up: usize,
+        /// What may be why.
+        warnings: Vec<Problem>,
+    },
     /// It can't be used: the engine goes on with the last that could.
     Failed { files: Vec<PathBuf>, problems: Vec<Problem>, since_save: Duration },
     /// The first samples, or the first picture, that came of it are there.

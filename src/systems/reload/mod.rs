@@ -6,6 +6,7 @@
 //! error on the way, or a loop that does not end, brings it back, with the film it had.
 
 mod assets;
+mod compile;
 mod event;
 mod lint;
 mod shaders;
@@ -33,10 +34,11 @@ use crate::gpu::{Code, Compiler};
 use crate::scene::SceneDescription;
 use crate::shader::Library;
 use assets::SceneFiles;
+use compile::Compiles;
 use lint::{Linter, Wake};
 use shaders::ShaderFolder;
 use watcher::Folders;
-use worker::{Message, Outcome, Worker};
+use worker::{Message, News, Worker};
 
 /// What to watch, and what of it runs already.
 pub struct Sources {
@@ -50,7 +52,7 @@ pub struct Sources {
 #[derive(Resource)]
 pub struct Reload {
     sender: Sender<Message>,
-    outcomes: Mutex<Receiver<Outcome>>,
+    outcomes: Mutex<Receiver<News>>,
     worker: Option<JoinHandle<()>>,
     /// The scene as its files were last taken up.
     pub description: Option<SceneDescription>,
@@ -111,7 +113,8 @@ impl Reload {
         let (outcome_sender, outcomes) = channel();
         let folders = Folders::new(sender.clone())?;
         let linter = Linter::new(sources.shaders.as_ref().map(|(_, library)| library.clone()), wake.clone());
-        let shaders = sources.shaders.map(|(folder, library)| ShaderFolder::new(folder, &library, compiler));
+        let compiles = Compiles::new(compiler, sender.clone());
+        let shaders = sources.shaders.map(|(folder, library)| (ShaderFolder::new(folder, &library), compiles));
         let (scene, description) = match sources.scene {
             Some((file, description, files)) => (Some(SceneFiles::new(file, &files)), Some(description)),
             None => (None, None),

@@ -3,11 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::event::Problem;
+use super::compile::Saved;
 use super::watcher::Place;
 use super::worker::Look;
 use crate::files::{self, trail};
-use crate::gpu::{Code, Compiler};
 use crate::shader::Library;
 
 /// A folder of shaders as it was last seen.
@@ -15,13 +14,12 @@ pub struct ShaderFolder {
     folder: PathBuf,
     /// Hash of each module's text, by its name.
     seen: BTreeMap<String, Option<u64>>,
-    compiler: Compiler,
 }
 
 impl ShaderFolder {
     /// `library` is what runs now, as it was read from the folder.
-    pub fn new(folder: PathBuf, library: &Library, compiler: Compiler) -> Self {
-        Self { folder, seen: hashes(library), compiler }
+    pub fn new(folder: PathBuf, library: &Library) -> Self {
+        Self { folder, seen: hashes(library) }
     }
 
     /// What is to be watched: the folder with all below it, and where links lead that are in it or on the way to it.
@@ -37,8 +35,8 @@ impl ShaderFolder {
         places
     }
 
-    /// Reads the folder and compiles what is other code now. `patient`: a file that is empty or gone is being saved.
-    pub fn look(&mut self, patient: bool, force: bool) -> Look<Code> {
+    /// Reads the folder, if it holds other code now. `patient`: a file that is empty or gone is being saved.
+    pub fn look(&mut self, patient: bool, force: bool) -> Look<Saved> {
         let library = match Library::open(&self.folder) {
             Ok(library) => library,
             Err(_) if patient => return Look::Unfinished,
@@ -64,9 +62,8 @@ impl ShaderFolder {
         }
         let files = changed.iter().map(|name| self.folder.join(format!("{name}.wgsl"))).collect();
         let edited = changed.into_iter().cloned().collect();
-        let result = self.compiler.remake(library, &edited).map_err(|error| vec![Problem::from(error)]);
         self.seen = now;
-        Look::Changed { files, result }
+        Look::Changed { files, result: Ok(Saved { library, edited }) }
     }
 }
 

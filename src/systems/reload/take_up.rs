@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 use bevy_ecs::prelude::*;
 
 use super::event::{Problem, ReloadEvent, Restarts};
-use super::worker::Outcome;
+use super::worker::{News, Outcome};
 use super::{Reload, Taken};
 use crate::components::Name;
 use crate::gpu::{Code, GpuError};
@@ -39,21 +39,25 @@ fn take_up_saves(world: &mut World) {
         reload.waits.store(false, Ordering::Release);
         let linted = reload.linter.take();
         reload.events.extend(linted);
-        let outcomes: Vec<Outcome> =
-            reload.outcomes.get_mut().unwrap_or_else(PoisonError::into_inner).try_iter().collect();
-        for outcome in outcomes {
-            take_up(world, &mut reload, outcome);
+        let news: Vec<News> = reload.outcomes.get_mut().unwrap_or_else(PoisonError::into_inner).try_iter().collect();
+        for news in news {
+            match news {
+                News::Ready(outcome) => take_up(world, &mut reload, outcome),
+                News::Compiling { files, since, given_up, warnings } => {
+                    reload.events.push(ReloadEvent::Compiling { files, since, given_up, warnings });
+                }
+            }
         }
     });
 }
 
 fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
-    let Outcome { saved, code, scene } = outcome;
+    let Outcome { saved, code, scene, warnings: slow } = outcome;
     let (mut good, mut bad) = (Vec::new(), Vec::new());
     let (mut any_good, mut problems, mut warnings) = (false, Vec::new(), Vec::new());
     match code {
         Some((files, Ok(code))) => {
-            (any_good, good) = (true, files);
+            (any_good, good, warnings) = (true, files, slow);
             reload.problems.code.clear();
             put_code(world, reload, code);
             // A scene that had to give way may do so no longer.
@@ -73,7 +77,7 @@ fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
             any_good = true;
             good.extend(files);
             reload.problems.scene.clear();
-            warnings = put_scene(world, reload, *loaded);
+            warnings.extend(put_scene(world, reload, *loaded));
             if std::mem::take(&mut reload.retry_code) {
                 reload.force();
             }

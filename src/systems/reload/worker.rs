@@ -1,4 +1,4 @@
-//! The thread that looks at files: it waits until a burst of saves is over, reads, links and compiles, and sends what came of it.
+//! The thread that looks at files: it waits until a burst of saves is over, reads, has others compile, and sends what came of it.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -7,6 +7,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
 use super::assets::SceneFiles;
+use super::compile::Compiles;
 use super::event::Problem;
 use super::shaders::ShaderFolder;
 use super::watcher::{Folders, Place, Watched};
@@ -31,6 +32,16 @@ pub enum Message {
     Touched(Instant),
     /// Everything is to be read again.
     Force,
+    /// A compile has ended: its number, and what it made.
+    Compiled {
+        serial: u64,
+        result: Result<Code, Vec<Problem>>,
+    },
+    /// What the compile of a number found that will take long.
+    Warned {
+        serial: u64,
+        warning: Problem,
+    },
     Stop,
 }
 
@@ -54,24 +65,39 @@ impl<T> Look<T> {
     }
 }
 
+/// What the worker sends.
+pub enum News {
+    Ready(Outcome),
+    /// A compile takes long.
+    Compiling {
+        files: Vec<PathBuf>,
+        since: Duration,
+        /// Older compiles that have not ended yet.
+        given_up: usize,
+        warnings: Vec<Problem>,
+    },
+}
+
 /// What came of a burst of saves.
 pub struct Outcome {
     /// When the first file of it was touched.
     pub saved: Instant,
     pub code: Option<Side<Code>>,
     pub scene: Option<Side<Box<Loaded>>>,
+    /// Of good code.
+    pub warnings: Vec<Problem>,
 }
 
 /// The files that changed of shaders, or of the scene, and what they give.
-type Side<T> = (Vec<PathBuf>, Result<T, Vec<Problem>>);
+pub type Side<T> = (Vec<PathBuf>, Result<T, Vec<Problem>>);
 
 /// The worker's own state.
 pub struct Worker {
     pub folders: Folders,
-    pub shaders: Option<ShaderFolder>,
+    pub shaders: Option<(ShaderFolder, Compiles)>,
     pub scene: Option<SceneFiles>,
     pub messages: Receiver<Message>,
-    pub outcomes: Sender<Outcome>,
+    pub outcomes: Sender<News>,
     /// Tells the driver that there is an outcome.
     pub wake: Box<dyn Fn() + Send>,
     /// Set while an outcome waits to be taken up.
@@ -88,6 +114,14 @@ impl Worker {
             let (saved, force) = match message {
                 Message::Touched(saved) => (saved, false),
                 Message::Force => (Instant::now(), true),
+                Message::Compiled { serial, result } => match self.end_compile(serial, result) {
+                    true => continue,
+                    false => return,
+                },
+                Message::Warned { serial, warning } => {
+                    self.warn(serial, warning);
+                    continue;
+                }
                 Message::Stop => return,
             };
             let Some(force) = self.wait_for_quiet(saved, force) else { return };
@@ -104,24 +138,63 @@ impl Worker {
         }
     }
 
-    /// The next message. While a folder is not there to be watched, it is looked for now and then.
-    fn receive(&self, all: bool) -> Option<Message> {
-        if all {
-            return self.messages.recv().ok();
-        }
-        match self.messages.recv_timeout(SEARCH) {
-            Err(RecvTimeoutError::Timeout) => Some(Message::Touched(Instant::now())),
-            message => message.ok(),
+    /// The next message. While a folder is not there to be watched, it is looked for now and then; a compile that takes long
+    /// is told meanwhile.
+    fn receive(&mut self, all: bool) -> Option<Message> {
+        let search = Instant::now() + SEARCH;
+        loop {
+            let telling = self.shaders.as_ref().and_then(|(_, compiles)| compiles.next_telling());
+            let until = telling.into_iter().chain((!all).then_some(search)).min();
+            let Some(until) = until else { return self.messages.recv().ok() };
+            match self.messages.recv_timeout(until.saturating_duration_since(Instant::now())) {
+                Err(RecvTimeoutError::Timeout) => {}
+                message => return message.ok(),
+            }
+            if let Some(news) = self.shaders.as_mut().and_then(|(_, compiles)| compiles.tell())
+                && !self.send(news)
+            {
+                return None;
+            }
+            if !all && search <= Instant::now() {
+                return Some(Message::Touched(Instant::now()));
+            }
         }
     }
 
+    /// Takes what a compile has made. False if nobody takes it.
+    fn end_compile(&mut self, serial: u64, result: Result<Code, Vec<Problem>>) -> bool {
+        let ended = self.shaders.as_mut().and_then(|(_, compiles)| compiles.end(serial, result));
+        ended.is_none_or(|outcome| self.send(News::Ready(outcome)))
+    }
+
+    fn warn(&mut self, serial: u64, warning: Problem) {
+        if let Some((_, compiles)) = &mut self.shaders {
+            compiles.warn(serial, warning);
+        }
+    }
+
+    /// Sends, and wakes the driver. False if nobody takes it.
+    fn send(&self, news: News) -> bool {
+        // Before it is sent, or it could be taken up before it is said to wait.
+        self.waits.store(true, Ordering::Release);
+        let sent = self.outcomes.send(news).is_ok();
+        (self.wake)();
+        sent
+    }
+
     /// Waits until a burst is over. Whether everything is to be read again; None if the worker is to stop.
-    fn wait_for_quiet(&self, saved: Instant, force: bool) -> Option<bool> {
+    fn wait_for_quiet(&mut self, saved: Instant, force: bool) -> Option<bool> {
         let mut force = force;
         while !force && saved.elapsed() < LONGEST_BURST {
             match self.messages.recv_timeout(QUIET) {
                 Ok(Message::Touched(_)) => {}
                 Ok(Message::Force) => force = true,
+                Ok(Message::Compiled { serial, result }) => {
+                    if !self.end_compile(serial, result) {
+                        return None;
+                    }
+                }
+                Ok(Message::Warned { serial, warning }) => self.warn(serial, warning),
                 Ok(Message::Stop) | Err(RecvTimeoutError::Disconnected) => return None,
                 Err(RecvTimeoutError::Timeout) => break,
             }
@@ -135,7 +208,7 @@ impl Worker {
         loop {
             let patient = !force && saved.elapsed() < PATIENCE;
             if matches!(code, Look::Unfinished) {
-                code = self.shaders.as_mut().map_or(Look::Same, |shaders| shaders.look(patient, force));
+                code = self.shaders.as_mut().map_or(Look::Same, |(folder, _)| folder.look(patient, force));
             }
             if matches!(scene, Look::Unfinished) {
                 scene = self.scene.as_mut().map_or(Look::Same, |scene| scene.look(patient, force));
@@ -145,20 +218,31 @@ impl Worker {
             }
             std::thread::sleep(QUIET / 2);
         }
-        let outcome = Outcome { saved, code: code.changed(), scene: scene.changed() };
-        if outcome.code.is_none() && outcome.scene.is_none() {
-            return true;
-        }
-        // Before it is sent, or it could be taken up before it is said to wait.
-        self.waits.store(true, Ordering::Release);
-        let sent = self.outcomes.send(outcome).is_ok();
-        (self.wake)();
-        sent
+        let (code, scene) = (code.changed(), scene.changed());
+        let Some((_, compiles)) = &mut self.shaders else {
+            return scene.is_none()
+                || self.send(News::Ready(Outcome { saved, code: None, scene, warnings: Vec::new() }));
+        };
+        let outcome = match (code, scene) {
+            (Some((files, Ok(code))), scene) => {
+                compiles.begin(saved, files, code, scene);
+                return true;
+            }
+            (Some((files, Err(problems))), scene) => {
+                let (files, scene) = compiles.refuse(files, scene);
+                Outcome { saved, code: Some((files, Err(problems))), scene, warnings: Vec::new() }
+            }
+            (None, Some(scene)) => {
+                Outcome { saved, code: None, scene: Some(compiles.with_older_scene(scene)), warnings: Vec::new() }
+            }
+            (None, None) => return true,
+        };
+        self.send(News::Ready(outcome))
     }
 
     /// Watches what is to be watched now.
     fn watch(&mut self) -> Watched {
-        let shaders = self.shaders.iter().flat_map(ShaderFolder::places);
+        let shaders = self.shaders.iter().flat_map(|(folder, _)| folder.places());
         let scenes = self.scene.iter().flat_map(SceneFiles::folders).map(|folder| Place { folder, below: false });
         self.folders.watch(shaders.chain(scenes).collect::<Vec<_>>())
     }
