@@ -226,10 +226,13 @@ fn a_file_that_is_no_text_is_an_error_only_where_it_is_imported() {
     assert!(error.file().is_some_and(|file| file.ends_with("lib/noise.wgsl")), "{error}");
 }
 
+/// A file, the place of its first wrong byte, and words of the message and of its help.
+type NoText<'a> = (&'a [u8], (usize, usize), &'a str, &'a str);
+
 #[test]
 fn a_file_that_is_not_utf_8_is_named_with_the_byte() {
     let folder = tempfile::tempdir().unwrap();
-    let cases: [(&[u8], (usize, usize), &str, &str); 4] = [
+    let cases: [NoText; 4] = [
         (b"fn f() {}\n// caf\xe9\n", (2, 7), "byte 16 of this file, 0xe9", "in Latin-1 this byte is `\u{e9}`"),
         (b"\xff\xfef\0n\0", (1, 1), "byte 0 of this file, 0xff", "UTF-16"),
         (b"// \xc3\xa9\xc3\n", (1, 5), "byte 5 of this file, 0xc3", "UTF-8"),

@@ -233,7 +233,7 @@ impl Loader {
     fn find_model(&mut self, folder: &Path, entry: &ModelEntry) -> Option<PathBuf> {
         // A model that is opened by itself may have any name.
         let path = if entry.place.line > 0 { as_written(folder, &entry.path) } else { entry.place.file.clone() };
-        let error = if !path.exists()
+        let error = if !path.is_file()
             && entry.place.line > 0
             && !matches!(Kind::by_ending(&path), Some(Kind::Scene | Kind::Library))
         {

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
+use lucerna::shader::Library;
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -68,8 +69,8 @@ fn a_wrong_pdf_is_called_wrong() {
 fn a_lost_light_is_called_darker_wherever_it_shone() {
     let new = edited(
         "passes/trace/connect",
-        "light.emission, light.triangle, point)",
-        "0.5 * light.emission, light.triangle, point)",
+        "light.emission, light.triangle, point, end)",
+        "0.5 * light.emission, light.triangle, point, end)",
         1,
     );
     let ran = judge(5, new.path(), "32x32", &["--spp", "2", "--films", "256", "-D", "render.max_depth=2"]);
@@ -158,6 +159,16 @@ fn the_time_is_kept_however_long_a_film_is() {
     let new = edited("lib/bsdf/lambert", "INV_PI * cos_theta)", "0.5 * INV_PI * cos_theta)", 1);
     let said = judge(6, new.path(), "512x512", &["--spp", "16777216", "--time", "3"]).stdout;
     assert!(said.starts_with("can't tell: 0 films of each at 512x512 are too few"), "{said}");
+}
+
+/// What the forty replace is there, and what they put in its place is code.
+#[test]
+fn each_of_the_forty_edits_is_code() {
+    for edit in table::WRONG.iter().chain(table::RIGHT) {
+        let library = Library::open(edited_all(edit.changes).path()).unwrap();
+        let features = library.features().unwrap();
+        library.link("passes/trace/path", &features).unwrap_or_else(|error| panic!("{}: {error}", edit.name));
+    }
 }
 
 /// All forty, as long as a person waits by default: each wrong edit is found, or it is said what would have been, and no right one is

@@ -141,7 +141,7 @@ pub const RIGHT: &[Edit] = &[
         &[
             change(MIXTURE, "pick < m.glossy && is_phong", "pick < 0.5 * m.glossy && is_phong"),
             change(MIXTURE, "pdf *= 1.0 - m.glossy", "pdf *= 1.0 - 0.5 * m.glossy"),
-            change(MIXTURE, "m.glossy * phong_pdf", "0.5 * m.glossy * phong_pdf"),
+            change(MIXTURE, "m.glossy * lobe.pdf", "0.5 * m.glossy * lobe.pdf"),
         ],
     ),
     edit("other random numbers", &[change("lib/rng_sobol", "0x536f626fu", "0x536f6270u")]),
@@ -170,7 +170,7 @@ fn uniform_area_pdf(params: TraceParams, raw: vec3<f32>) -> f32 {
             ),
             change(
                 CONNECT,
-                "light_area_pdf(light.emission, light.sides, params.light_density)",
+                "light_area_pdf(light.emission, select(2u, 1u, one_sided), params.light_density)",
                 "uniform_area_pdf(params, raw)",
             ),
         ],

@@ -7,10 +7,13 @@ use exr::prelude::*;
 
 use super::{refused, shown};
 
+/// A part's name, and those of its channels.
+type Part<'a> = (&'a str, &'a [&'a str]);
+
 /// A pixel a channel: its value is its place in the list, from 1.
-fn write(path: &Path, parts: &[(&str, &[&str])]) {
+fn write(path: &Path, parts: &[Part]) {
     let mut number = 0.0;
-    let mut layer = |(name, channels): &(&str, &[&str])| {
+    let mut layer = |(name, channels): &Part| {
         let channel = |name: &&str| {
             number += 1.0;
             AnyChannel::new(*name, FlatSamples::F16(vec![f16::from_f32(number)]))
@@ -27,7 +30,7 @@ fn write(path: &Path, parts: &[(&str, &[&str])]) {
 fn colours_are_found_in_layers_of_any_name() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.exr");
-    let cases: [(&[(&str, &[&str])], [f32; 3]); 15] = [
+    let cases: [(&[Part], [f32; 3]); 15] = [
         (&[("", &["R", "G", "B", "A"])], [1.0, 2.0, 3.0]),
         (
             &[("", &["ViewLayer.Combined.R", "ViewLayer.Combined.G", "ViewLayer.Combined.B", "ViewLayer.Combined.A"])],

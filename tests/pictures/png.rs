@@ -8,6 +8,9 @@ use tempfile::TempDir;
 
 use super::shown;
 
+/// A kind of colour, a row of two pixels of it, and what it means.
+type Case<'a> = (ColorType, BitDepth, &'a [u8], [[f32; 3]; 2]);
+
 fn write(folder: &TempDir, data: &[u8], set: impl FnOnce(&mut Encoder<std::fs::File>)) -> PathBuf {
     let path = folder.path().join("a.png");
     let mut encoder = Encoder::new(std::fs::File::create(&path).unwrap(), 2, 1);
@@ -21,7 +24,7 @@ fn every_depth_and_colour_is_decoded_from_srgb() {
     let folder = tempfile::tempdir().unwrap();
     let light = |code: f64| srgb_decode(code) as f32;
     let bytes = |code: u8| light(f64::from(code) / 255.0);
-    let cases: [(ColorType, BitDepth, &[u8], [[f32; 3]; 2]); 10] = [
+    let cases: [Case; 10] = [
         (
             ColorType::Rgb,
             BitDepth::Eight,
