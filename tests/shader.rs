@@ -257,3 +257,16 @@ fn every_shared_struct_has_the_layout_of_wgsl() {
     let linked = link(&[("t/all", &text)], &[]);
     assert!(declared(&linked).is_superset(&names(&all)));
 }
+
+#[test]
+fn all_loops_can_be_limited_as_those_of_edited_modules_are() {
+    let shipped = Library::embedded();
+    let linked = |library: &Library| {
+        let linked = library.link("passes/film/accumulate", &Features::new()).unwrap();
+        (linked.edited, linked.limited)
+    };
+    assert_eq!(linked(&shipped), (false, false));
+    assert_eq!(linked(&shipped.clone().with_limited_loops()), (false, true));
+    let edited = shipped.with("lib/fixed", &format!("{}\n", include_str!("../shaders/lib/fixed.wgsl")));
+    assert_eq!(linked(&edited), (true, true));
+}

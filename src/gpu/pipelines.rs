@@ -28,7 +28,9 @@ pub struct Pipeline {
     pub(super) serial: u32,
     /// Equal for equal code.
     fingerprint: u64,
-    /// Its loops end after so many rounds: it is of an edited shader.
+    /// It is of an edited shader.
+    edited: bool,
+    /// Its loops end after so many rounds, as those of edited shaders do.
     limited: bool,
 }
 
@@ -116,14 +118,14 @@ impl Compiler {
     ) -> Result<(Pipeline, Vec<Place>), GpuError> {
         let serial = self.serial.fetch_add(1, Ordering::Relaxed);
         let fingerprint = linked.fingerprint();
-        let limited = linked.edited;
+        let (edited, limited) = (linked.edited, linked.limited);
         let loops = match limited {
             true => linked.limit_loops(self.rounds(), serial.wrapping_mul(LOOPS))?,
             false => Vec::new(),
         };
         let entry = checked_entry(pass, &linked, features)?;
         let (compute, layout) = build(&self.gpu, pass, &entry, linked.module)?;
-        Ok((Pipeline { compute, layout, entry, serial, fingerprint, limited }, loops))
+        Ok((Pipeline { compute, layout, entry, serial, fingerprint, edited, limited }, loops))
     }
 
     /// Rounds that all loops of an invocation of an edited shader may take.
@@ -191,7 +193,7 @@ impl Pipelines {
     /// Whether all of `passes` are in use with the code that this binary was built with.
     pub fn are_shipped(&self, passes: &[&'static Pass]) -> bool {
         let in_use = self.compiler.in_use();
-        passes.iter().all(|pass| in_use.get(pass.name).is_some_and(|used| !used.pipeline.limited))
+        passes.iter().all(|pass| in_use.get(pass.name).is_some_and(|used| !used.pipeline.edited))
     }
 
     /// Whether the loops of any pass in use are limited.

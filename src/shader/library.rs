@@ -36,11 +36,13 @@ pub struct Library {
     /// The folders below that can't be read, each with the reason: no module in them is known.
     unread: Vec<(String, String)>,
     shared: Shared,
+    /// The loops of all its modules are limited, not of edited ones alone.
+    limited: bool,
 }
 
 impl Library {
     fn empty(folder: String) -> Self {
-        Library { folder, modules: BTreeMap::new(), unread: Vec::new(), shared: Shared::registered() }
+        Library { folder, modules: BTreeMap::new(), unread: Vec::new(), shared: Shared::registered(), limited: false }
     }
 
     /// The shaders that this binary was built with.
@@ -87,6 +89,17 @@ impl Library {
         let source = self.source(module, text.to_owned());
         self.modules.insert(module.to_owned(), Ok(source));
         self
+    }
+
+    /// The library with the loops of all modules limited, as those of edited ones are: counting their rounds takes an eighth of the time
+    /// of tracing, which is not to be laid at an edit's door.
+    pub fn with_limited_loops(self) -> Self {
+        Library { limited: true, ..self }
+    }
+
+    /// Whether all loops are limited.
+    pub(super) fn is_limited(&self) -> bool {
+        self.limited
     }
 
     /// The library with more shared structs and constants in `package::gen`.

@@ -27,6 +27,8 @@ pub struct Linked {
     pub features: Features,
     /// Some module of it is not the one that this binary was built with.
     pub edited: bool,
+    /// Its loops are to be limited.
+    pub limited: bool,
     /// The module that was asked for.
     root: Arc<Source>,
     map: SourceMap,
@@ -118,11 +120,13 @@ pub fn link(library: &Library, root: &str, features: &Features) -> Result<Linked
     let (module, info) = check::check(&text, &map, &closure.generated, library, features)?;
     let named = closure.modules.iter().flat_map(|(_, module)| &module.features);
     let edited = closure.modules.iter().any(|(name, _)| !library.is_embedded(name));
+    let limited = edited || library.is_limited();
     let (_, last) = closure.modules.last().expect("invariant: a closure ends in the module that was asked for");
     Ok(Linked {
         module,
         info,
         edited,
+        limited,
         root: last.source.clone(),
         imports: closure.modules.iter().map(|(name, _)| name.clone()).collect(),
         features: named.filter(|name| features.contains(*name)).cloned().collect(),
