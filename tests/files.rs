@@ -89,13 +89,13 @@ fn a_file_behind_a_link_is_a_module_and_one_that_leads_nowhere_only_counts_where
     let folder = tempfile::tempdir().unwrap();
     let root = folder.path().join("shaders");
     fs::create_dir_all(root.join("lib")).unwrap();
-    fs::create_dir(folder.path().join("shared")).unwrap();
-    fs::write(folder.path().join("shared/half.wgsl"), "fn half(x: f32) -> f32 { return 0.5 * x; }\n").unwrap();
-    symlink("../../shared/half.wgsl", root.join("lib/half.wgsl")).unwrap();
-    symlink(folder.path().join("shared"), root.join("shared")).unwrap();
+    fs::create_dir(folder.path().join("common")).unwrap();
+    fs::write(folder.path().join("common/half.wgsl"), "fn half(x: f32) -> f32 { return 0.5 * x; }\n").unwrap();
+    symlink("../../common/half.wgsl", root.join("lib/half.wgsl")).unwrap();
+    symlink(folder.path().join("common"), root.join("common")).unwrap();
     symlink("gone.wgsl", root.join("lib/lost.wgsl")).unwrap();
     let library = Library::open(&root).unwrap();
-    assert_eq!(library.modules().collect::<Vec<_>>(), ["lib/half", "lib/lost", "shared/half"]);
+    assert_eq!(library.modules().collect::<Vec<_>>(), ["lib/half", "lib/lost", "common/half"]);
     assert!(library.features().unwrap().is_empty());
     let error = library.link("lib/lost", &Default::default()).unwrap_err().to_string();
     assert!(error.contains("lib/lost.wgsl") && error.contains("gone.wgsl") && error.contains("link"), "{error}");

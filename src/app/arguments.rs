@@ -24,7 +24,7 @@ Exit codes:
   4    compared pictures differ by more than a --max flag allows
   5    judged shaders have another mean
   6    whether judged shaders have another mean can't be told yet
-  130  interrupted; what there was has been written";
+  130  interrupted; what there was, if anything, has been written";
 
 /// A GPU path tracer.
 #[derive(Debug, Parser)]

@@ -27,7 +27,7 @@ pub enum Exit {
     MeansDiffer,
     /// Judged shaders may have another mean, or the same.
     CannotTell,
-    /// Interrupted; what there was has been written.
+    /// Interrupted; what there was, if anything, has been written.
     Interrupted,
 }
 

@@ -1,4 +1,4 @@
-//! What a material's numbers make of its surface: the one place where `illum` has a meaning.
+//! What a material's numbers make of its surface: the one place where `illum` decides how it is rendered.
 //!
 //! `illum` says how a program was to draw, and many write one number on everything: alone it makes no glass. What else a
 //! material says decides.

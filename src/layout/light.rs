@@ -23,8 +23,8 @@ gpu_struct! {
         pub triangle: u32,
         /// Emitted radiance, linear Rec.709.
         pub emission: Vec3,
-        /// By which part of itself the light is drawn smaller for a unit of the way to it, lest rays miss it by their rounding; below 0
-        /// where the front alone emits.
+        /// By which part of the way to the light's middle a drawn point is moved there, for a unit of distance from the viewer, so that
+        /// rounding can't make a ray miss the light. Below 0 where the front alone emits.
         pub shrink: f32,
     }
 }

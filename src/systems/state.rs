@@ -30,7 +30,7 @@ pub enum TreeBuilder {
 }
 
 impl TreeBuilder {
-    /// The twin, where the device is the processor anyway: the twin is faster there, and drivers take up to half a minute
+    /// The twin, where the device is the processor anyway: the twin is faster there, and drivers take up to a third of a minute
     /// to compile the passes.
     pub fn of(gpu: &Gpu) -> Self {
         if gpu.is_software() { TreeBuilder::Twin } else { TreeBuilder::Passes }

@@ -34,7 +34,7 @@ fn a_wayland_display_that_does_not_answer_gives_way_to_x() {
     let display = Xvfb::start();
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
-    // A session that is gone leaves its socket; another program is no compositor; one that hangs takes connections, and says nothing.
+    // A compositor that is gone leaves its socket; another program is no compositor; one that hangs takes connections, and says nothing.
     drop(UnixListener::bind(path("left")).unwrap());
     fs::write(path("plain"), "").unwrap();
     let _silent = UnixListener::bind(path("silent")).unwrap();

@@ -103,6 +103,8 @@ fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -
         interrupt.hold();
         meter.show(judge.films() as u64, &standing(judge));
     };
+    // Also of a look that ended it before the first films were through: what is written is written whole.
+    interrupt.hold();
     meter.finish();
     Ok(look)
 }

@@ -1,4 +1,4 @@
-//! Which display a window opens on. What the environment names may be that of a session that is long gone.
+//! Which display a window opens on. What the environment names may be a display that is long gone.
 
 use winit::event_loop::EventLoop;
 

@@ -1,7 +1,7 @@
 //! What people save while the engine runs, taken up as transactions.
 //!
-//! A [`worker`] thread waits for the [`watcher`], reads what changed, links, validates and compiles; the picture goes on
-//! meanwhile. At the start of the schedule [`take_up`] puts what came of it in place, all or nothing; the phases after it
+//! A [`worker`] thread waits for the [`watcher`] and reads what changed; threads that nobody joins link, validate and compile it
+//! ([`compile`]); the picture goes on meanwhile. At the start of the schedule [`take_up`] puts what came of it in place, all or nothing; the phases after it
 //! find out what that changes, as after any edit. The last that worked is kept until the new has shown one whole sample: an
 //! error on the way, or a loop that does not end, brings it back, with the film it had.
 

@@ -47,7 +47,7 @@ impl Shelf {
 
     /// The reference, if it is there, whole, of the scene's size, and of enough samples.
     pub fn find(&self, film: &Film, spp: u32) -> Option<Reference> {
-        let record: ReferenceRecord = serde_json::from_slice(&std::fs::read(&self.record).ok()?).ok()?;
+        let record: ReferenceRecord = super::read_json(&self.record).ok()?;
         let size = film.window().size();
         let picture = Source::open(&self.picture).ok()?;
         let fits = picture.size == size && record.key == self.key && record.spp >= spp;
