@@ -4,21 +4,8 @@
 // differently: the same ray and triangle give the same bits in every kernel of one device. NaN and infinity never arise
 // from rays and triangles as package::gen describes them.
 
-import package::gen::{Ray};
+import package::gen::{FAR_GROWTH, INSET, LEAST_AREA, LEAST_PART, Ray, SLAB_GROWTH};
 import package::lib::math::{largest_of};
-
-// What boxes grow by on every side: this part of the triangle's greatest coordinate, in padded_box(), and of the ray's origin's, in
-// prepare_query(). A triangle that passes the edge test lies within 8 * 2^-24 * distance of the ray: the roundings of each sheared
-// coordinate and of the shear. Twice that leaves the roundings of the slabs themselves. Each box by its own coordinates, not all by
-// the scene's: one thing far away then costs the rest nothing.
-const SLAB_GROWTH: f32 = 0x1p-20;
-// Far planes move out by this factor, for the rounding of the reciprocal and the last one (Ize 2013).
-const FAR_GROWTH: f32 = 1.00000095367431640625;
-// A direction's component counts as at least this part of the largest: its reciprocal stays finite.
-const LEAST_PART: f32 = 8.673617379884035e-19;
-
-// Twice the area below which a sheared triangle counts as edge-on, so that its reciprocal stays finite.
-const LEAST_AREA: f32 = 7.52316384526264e-37;
 
 // What a ray needs for every box and triangle, computed once.
 struct Query {
@@ -174,9 +161,6 @@ fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) ->
     result.hit = true;
     return result;
 }
-
-// How many times its error a point keeps away from the edges of its triangle.
-const INSET: f32 = 16.0;
 
 struct SurfacePoint {
     position: vec3<f32>,

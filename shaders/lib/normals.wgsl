@@ -1,9 +1,6 @@
 // Smooth shading normals.
 
-import package::gen::{Shading};
-
-// Cosine to its viewer that a bent normal has, at a facet that itself has as much.
-const LEAST_FACING: f32 = 0x1p-5;
+import package::gen::{LEAST_FACING, Shading};
 
 // A unit vector from its octahedral snorm16 pair (Cigolle et al., JCGT 3(2), 2014).
 fn octahedral_decode(word: u32) -> vec3<f32> {

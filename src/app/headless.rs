@@ -20,7 +20,7 @@ use crate::systems::Engine;
 const STEP: Duration = Duration::from_millis(100);
 
 /// What is said where there is nothing to write.
-const NOTHING: &str = "interrupted before the first sample: nothing was written";
+const NOTHING: &str = "interrupted before there was anything to write";
 
 /// How tracing ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,12 +3,7 @@
 use glam::{Vec2, Vec3, Vec3Swizzles};
 
 use super::morton::Bounds;
-use crate::layout::ray::Ray;
-
-/// What a box grows by, of its greatest coordinate and of the ray's.
-const SLAB_GROWTH: f32 = 1.0 / 1048576.0;
-const FAR_GROWTH: f32 = 1.0 + 1.0 / 1048576.0;
-const LEAST_PART: f32 = 1.0 / (1u64 << 60) as f32;
+use crate::layout::ray::{FAR_GROWTH, INSET, LEAST_AREA, LEAST_PART, Ray, SLAB_GROWTH};
 
 /// How a device rounds WGSL's `fma()`, which may be either.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,9 +33,6 @@ impl Fma {
         Vec3::new(self.of(a.x, b.x, c.x), self.of(a.y, b.y, c.y), self.of(a.z, b.z, c.z))
     }
 }
-
-/// Twice the area below which a sheared triangle counts as edge-on.
-const LEAST_AREA: f32 = 7.523_164e-37;
 
 /// What a ray needs for every box and triangle.
 #[derive(Clone, Copy, Debug)]
@@ -189,9 +181,6 @@ pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<Tr
     let depth = fma.of(u, p.z, fma.of(v, q.z, w * r.z)) * query.shear.z * scale;
     Some(TriangleHit { t: depth.max(interval.x).min(interval.y), b1: v * scale, b2: w * scale })
 }
-
-/// How many times its error a point keeps away from the edges of its triangle.
-const INSET: f32 = 16.0;
 
 /// A point of a triangle with weights `b1` and `b2` of its second and third corner, and how far each coordinate must be
 /// moved for a ray that leaves from there: the position's own error (PBRT, 4th ed., section 6.8.5), and that of the

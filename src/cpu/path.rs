@@ -12,13 +12,10 @@ use super::triangles::{HitF64, TriangleSet};
 use crate::layout::light::LightTable;
 use crate::layout::sky::SkyTable;
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_CHOICES,
-    SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, LEAST_FACING, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE,
+    SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
-
-/// Cosine to its viewer that a bent normal has.
-const LEAST_FACING: f64 = 1.0 / 32.0;
 
 /// A scene as the trace kernel gets it.
 pub struct PathScene<'a> {
@@ -202,7 +199,7 @@ pub fn smooth_normal(corners: &Shading, b: [f64; 2]) -> Option<DVec3> {
 
 /// A shading normal turned towards its viewer, as little as makes it seen at all, where its facet is.
 fn bent_to_viewer(n: DVec3, facet: DVec3, wo: DVec3) -> DVec3 {
-    let least = LEAST_FACING.min(wo.dot(facet));
+    let least = f64::from(LEAST_FACING).min(wo.dot(facet));
     if n.dot(wo) < least { (n.reject_from_normalized(wo) + least * wo).normalize() } else { n }
 }
 

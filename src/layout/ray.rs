@@ -10,6 +10,19 @@ gpu_consts! {
     /// Steps after which a query gives up. A valid tree of `n` leaves needs fewer than `3 n`; `Hit::steps` reaching
     /// this means that the tree is not one.
     pub const MAX_STEPS: u32 = 0x1000_0000;
+    /// What boxes grow by on every side: this part of the triangle's greatest coordinate, and of the ray's origin's. A triangle that
+    /// passes the edge test lies within 8 * 2^-24 * distance of the ray: the roundings of each sheared coordinate and of the shear.
+    /// Twice that leaves the roundings of the slabs themselves. Each box by its own coordinates, not all by the scene's: one thing
+    /// far away then costs the rest nothing.
+    pub const SLAB_GROWTH: f32 = 1.0 / 1048576.0;
+    /// Far planes move out by this factor, for the rounding of the reciprocal and the last one (Ize 2013).
+    pub const FAR_GROWTH: f32 = 1.0 + 1.0 / 1048576.0;
+    /// A direction's component counts as at least this part of the largest: its reciprocal stays finite.
+    pub const LEAST_PART: f32 = 1.0 / (1u64 << 60) as f32;
+    /// Twice the area below which a sheared triangle counts as edge-on, so that its reciprocal stays finite.
+    pub const LEAST_AREA: f32 = 1.0 / (1u128 << 120) as f32;
+    /// How many times its error a point keeps away from the edges of its triangle.
+    pub const INSET: f32 = 16.0;
 }
 
 gpu_struct! {

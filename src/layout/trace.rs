@@ -169,6 +169,8 @@ gpu_consts! {
     pub const SLOT_CHOICES: u32 = 4;
     /// The direction that a bounce draws, 2D: in the group of the next bounce's light.
     pub const SLOT_DIRECTION: u32 = 8;
+    /// Cosine to its viewer that a shading normal is bent to where it looks away, at a facet that itself has as much.
+    pub const LEAST_FACING: f32 = 1.0 / 32.0;
     /// First bounce after which Russian roulette may end a path: paths of 4 segments are never cut.
     pub const ROULETTE_BOUNCE: u32 = 3;
 }

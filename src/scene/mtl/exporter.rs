@@ -46,7 +46,7 @@ impl Habits {
         if self.glass_is_constant {
             let place = drafts.iter().find_map(Draft::illum_place);
             let message = format!(
-                "one `illum` and one `Ni` of glass are on all {count} materials of this library, of several colours: they are \
+                "one `illum`, one `Ni` and one `Tf` of glass are on all {count} materials of this library, of several colours: they are \
                  an exporter's constant, and make no glass"
             );
             say(place, message, "what is glass gets a `Tf` of its own, or an `illum` in the scene file's `materials`");
