@@ -1,7 +1,7 @@
 // The boxes of a node's two children.
 
-import package::gen::{Node};
-import package::lib::intersect::{Query, FAR_GROWTH};
+import package::gen::{FAR_GROWTH, Node};
+import package::lib::intersect::{Query};
 
 // Where the ray enters and leaves the boxes of a node's two children.
 struct ChildIntervals {
