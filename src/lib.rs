@@ -11,9 +11,11 @@ pub mod cpu;
 pub mod files;
 pub mod gpu;
 pub mod image;
+pub mod oracle;
 pub mod passes;
 pub mod scene;
 pub mod shader;
+pub mod stats;
 pub mod systems;
 
 pub use systems::{Engine, EngineError, FilmImage, Progress, Report};

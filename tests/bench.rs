@@ -10,8 +10,8 @@ use lucerna::app::bench::light::record::{
     Bench, ConfigurationRecord, Machine, ReferenceRecord, Run, SceneRecord, Snapshot,
 };
 use lucerna::app::bench::light::tables;
-use lucerna::cpu::metrics::relative_mse;
-use lucerna::cpu::statistics::{Crossing, Summary, Welch, crossing, least_squares, log_log_slope, upper_tail};
+use lucerna::stats::metrics::relative_mse;
+use lucerna::stats::summary::{Crossing, Summary, Welch, crossing, least_squares, log_log_slope, upper_tail};
 use serde_json::Value;
 
 use crate::support::dice::Dice;

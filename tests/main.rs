@@ -19,7 +19,7 @@ mod fuzz;
 mod glass;
 mod intersect;
 mod judge;
-mod law;
+mod layering;
 mod layout;
 mod libraries;
 mod light;

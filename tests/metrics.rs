@@ -1,9 +1,9 @@
 //! Metrics and block statistics of two pictures, against values worked out by hand and against planted differences.
 
 use glam::UVec2;
-use lucerna::cpu::blocks::{Blocks, Grid, LEAST_PIXELS, limit};
-use lucerna::cpu::metrics::{Census, Difference, peak_signal_to_noise};
 use lucerna::cpu::rng::pcg4d;
+use lucerna::stats::blocks::{Blocks, Grid, LEAST_PIXELS, limit};
+use lucerna::stats::metrics::{Census, Difference, peak_signal_to_noise};
 
 const SIZE: UVec2 = UVec2::new(96, 80);
 

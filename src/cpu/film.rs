@@ -2,11 +2,11 @@
 
 use glam::UVec2;
 
-use super::metrics::DARK;
 use crate::layout::film::{AccumulateParams, BadSample, FilmHalf, FilmPixel, SAMPLE_BITS, UNKNOWN_BOUNCE};
 use crate::layout::trace::{
     BAD_INFINITE, BAD_NAN, BAD_NEGATIVE, BAD_OVERFLOW, NO_MATERIAL, RadianceSample, SAMPLE_BAD,
 };
+use crate::stats::metrics::DARK;
 
 /// What a batch counted.
 #[derive(Clone, Debug, Default, PartialEq)]

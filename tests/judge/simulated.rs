@@ -2,11 +2,11 @@
 
 use glam::UVec2;
 use lucerna::app::judge::{Estimator, Verdict};
-use lucerna::cpu::blocks::Grid;
-use lucerna::cpu::efficiency::{Ratio, Trial, pair_error, weights};
-use lucerna::cpu::equal_means::{LEAST_GROUPS, Means, MeansTest, block_side};
-use lucerna::cpu::sign_flips::tail_bound;
-use lucerna::cpu::statistics::{upper_quantile, upper_tail};
+use lucerna::stats::blocks::Grid;
+use lucerna::stats::efficiency::{Ratio, Trial, pair_error, weights};
+use lucerna::stats::equal_means::{LEAST_GROUPS, Means, MeansTest, block_side};
+use lucerna::stats::sign_flips::tail_bound;
+use lucerna::stats::summary::{upper_quantile, upper_tail};
 
 use crate::support::dice::Dice;
 

@@ -7,7 +7,7 @@ use std::time::Duration;
 use bevy_ecs::prelude::*;
 use glam::Vec3;
 use lucerna::components::{Integrator, Material, Render, Sampler, Transform};
-use lucerna::cpu::oracle::Oracle;
+use lucerna::oracle::Oracle;
 use lucerna::scene::generate::to_mesh;
 use lucerna::scene::{MeshEntry, SceneDescription};
 use lucerna::shader::Library;

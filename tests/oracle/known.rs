@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::components::{Environment, Material};
-use lucerna::cpu::oracle::Oracle;
+use lucerna::oracle::Oracle;
 
 use crate::statistics::{BATCHES, Pairs, agree};
 use crate::support::stage::{Stage, glowing, matte, quad, sky_map};

@@ -3,7 +3,7 @@
 use bevy_ecs::prelude::*;
 use glam::{DVec3, Vec3};
 use lucerna::components::{Environment, Material};
-use lucerna::cpu::oracle::Picture;
+use lucerna::oracle::Picture;
 
 use crate::statistics::BATCHES;
 use crate::support::stage::{Stage, quad, sky_map};

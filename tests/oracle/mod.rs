@@ -10,7 +10,7 @@ mod surfaces;
 use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::components::Material;
-use lucerna::cpu::oracle::{Oracle, Picture};
+use lucerna::oracle::{Oracle, Picture};
 
 use crate::statistics::{BATCHES, Pairs, agree};
 

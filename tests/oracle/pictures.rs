@@ -1,6 +1,6 @@
 //! Pictures: the same with any number of threads, and as uncertain as they say.
 
-use lucerna::cpu::oracle::Picture;
+use lucerna::oracle::Picture;
 
 use crate::statistics::BATCHES;
 use crate::support::stage::{Stage, sky_map};

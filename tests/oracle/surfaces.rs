@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec3, Vec3};
 use lucerna::components::{Energy, Material};
-use lucerna::cpu::oracle::Random;
-use lucerna::cpu::oracle::bsdf::{Bsdf, Facing};
+use lucerna::oracle::Random;
+use lucerna::oracle::bsdf::{Bsdf, Facing};
 
 use super::{glass, rough, veil};
 

@@ -7,7 +7,7 @@ use glam::{DVec3, UVec2, Vec3};
 use lucerna::components::{
     Active, Camera, Environment, EnvironmentMap, Film, Geometry, Material, MeshData, Render, Transform, UsesMaterial,
 };
-use lucerna::cpu::oracle::Oracle;
+use lucerna::oracle::Oracle;
 use lucerna::scene::generate::{Corners, icosphere, to_mesh};
 
 /// A world that is filled part by part.

@@ -13,10 +13,10 @@ use std::time::Instant;
 use serde::Serialize;
 
 use super::output;
-use crate::cpu::oracle::OracleError;
 use crate::gpu::{GpuError, Runtime};
 use crate::image::SaveError;
 use crate::layout::tree::Triangle;
+use crate::oracle::OracleError;
 use crate::passes::Recording;
 use crate::scene::generate;
 use crate::systems::EngineError;

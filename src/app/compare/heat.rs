@@ -6,8 +6,8 @@ use colorous::Color;
 
 use super::Comparison;
 use super::arguments::Heat;
-use crate::cpu::metrics::{comparable, relative_error};
 use crate::image::{Output, SaveError};
+use crate::stats::metrics::{comparable, relative_error};
 
 /// Pixels that could not be compared: a colour that no scale has.
 const BAD: Color = Color { r: 0, g: 255, b: 0 };

@@ -13,10 +13,10 @@ use arguments::Heat;
 
 use super::{Exit, Failure, output};
 use crate::components::Crop;
-use crate::cpu::blocks::{Blocks, Grid};
-use crate::cpu::metrics::{Census, Difference, comparable, peak_signal_to_noise};
 use crate::image::srgb::srgb_byte;
 use crate::image::{Pixel, Source};
+use crate::stats::blocks::{Blocks, Grid};
+use crate::stats::metrics::{Census, Difference, comparable, peak_signal_to_noise};
 
 /// Whether FLIP is built in.
 const HAS_FLIP: bool = cfg!(feature = "flip");

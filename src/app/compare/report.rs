@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::arguments::{CompareArguments, MostZ};
 use super::{Comparison, HAS_FLIP, Side};
-use crate::cpu::blocks::Block;
+use crate::stats::blocks::Block;
 
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 

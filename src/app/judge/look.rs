@@ -4,8 +4,8 @@ use glam::UVec2;
 
 use super::series::Estimator;
 use crate::app::progress::clock;
-use crate::cpu::efficiency::Ratio;
-use crate::cpu::equal_means::{Difference, LEAST_GROUPS, Means};
+use crate::stats::efficiency::Ratio;
+use crate::stats::equal_means::{Difference, LEAST_GROUPS, Means};
 
 /// A difference that is found by this part of what was wanted is small enough to end early.
 const FAR_BELOW: f64 = 0.2;

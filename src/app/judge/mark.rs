@@ -2,8 +2,8 @@
 
 use glam::UVec2;
 
-use crate::cpu::equal_means::{Difference, Means};
 use crate::image::srgb::srgb_byte;
+use crate::stats::equal_means::{Difference, Means};
 
 /// Frames of blocks that became brighter, and of those that became darker: apart for every kind of eye.
 const BRIGHTER: [u8; 4] = [230, 97, 1, 255];

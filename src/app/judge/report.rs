@@ -9,8 +9,8 @@ use super::folder;
 use super::look::{End, Look, Unknown, Verdict};
 use super::series::Estimator;
 use crate::components::Film;
-use crate::cpu::equal_means::Difference;
-use crate::cpu::sign_flips::MISSED;
+use crate::stats::equal_means::Difference;
+use crate::stats::sign_flips::MISSED;
 
 /// All there is to say.
 pub struct Account<'a> {

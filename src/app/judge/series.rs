@@ -3,9 +3,9 @@
 use super::side::Shot;
 use super::sizing::pixels;
 use crate::components::Film;
-use crate::cpu::blocks::Grid;
-use crate::cpu::efficiency::{Ratio, Trial, averages, pair_error, weights};
-use crate::cpu::equal_means::{Means, MeansTest, block_side};
+use crate::stats::blocks::Grid;
+use crate::stats::efficiency::{Ratio, Trial, averages, pair_error, weights};
+use crate::stats::equal_means::{Means, MeansTest, block_side};
 
 /// Two films of each, traced by turns, so that a drift of the clock is the same for both.
 pub struct Round {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::record::{Bench, ConfigurationRecord, SceneRecord, Snapshot};
 use crate::app::bench::BenchError;
-use crate::cpu::statistics::Welch;
+use crate::stats::summary::Welch;
 
 /// Probability that anything at all is called worse, or better, though nothing changed.
 const FAMILY_WISE: f64 = 1e-3;

@@ -6,7 +6,7 @@ use super::reference::Reference;
 use crate::app::bench::BenchError;
 use crate::app::stage::{Stage, Watch};
 use crate::components::Render;
-use crate::cpu::metrics::relative_mse;
+use crate::stats::metrics::relative_mse;
 
 /// Samples a pixel, at most, of the film before the first that counts: compiles, and lets the clocks rise.
 const WARM_UP_SPP: u32 = 16;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::cpu::statistics::{Crossing, Slope, Summary, crossing, log_log_slope};
+use crate::stats::summary::{Crossing, Slope, Summary, crossing, log_log_slope};
 
 /// The relMSE that it is told how long it takes to reach.
 pub const TARGET: f64 = 1e-3;

@@ -12,10 +12,10 @@ use crate::app::bench::BenchError;
 use crate::app::progress::{Goal, Meter};
 use crate::app::stage::{Stage, Watch};
 use crate::components::{Film, Integrator, Render, Sampler};
-use crate::cpu::metrics::DARK;
-use crate::cpu::oracle::{self, Oracle};
 use crate::image::{Output, Picture, Source, file};
+use crate::oracle::{self, Oracle};
 use crate::scene::{self, SceneDescription};
+use crate::stats::metrics::DARK;
 
 /// The estimator that is trusted most: independent samples, no path ended early.
 const TRUSTED: Configuration = Configuration { integrator: Integrator::Path, sampler: Sampler::Pcg, roulette: false };

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::record::{Bench, ConfigurationRecord, SceneRecord, SnapshotSummary};
-use crate::cpu::statistics::{Crossing, Summary};
+use crate::stats::summary::{Crossing, Summary};
 
 /// A row a snapshot of every seed. Where there is no number, the field is empty.
 pub fn csv(bench: &Bench) -> String {

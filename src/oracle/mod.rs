@@ -4,6 +4,7 @@
 //! knows `components` alone, neither the structs shared with WGSL nor their twins.
 
 pub mod bsdf;
+mod choice;
 mod light;
 mod path;
 mod random;

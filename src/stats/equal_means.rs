@@ -23,7 +23,7 @@ use glam::UVec2;
 
 use super::blocks::{BLACK, Grid, ROUNDING};
 use super::sign_flips::{least_found, tail_bound};
-use super::statistics::variance;
+use super::summary::variance;
 
 /// Groups of pairs, at most: then neighbours are joined.
 const MOST_GROUPS: usize = 128;

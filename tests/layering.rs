@@ -62,9 +62,22 @@ fn wgpu_and_naga_stay_where_they_belong() {
 
 #[test]
 fn modules_know_only_what_is_below_them() {
-    let modules =
-        ["app", "components", "cpu", "files", "gpu", "image", "layout", "passes", "scene", "shader", "systems"];
-    let below: [(&str, &[&str]); 10] = [
+    let modules = [
+        "app",
+        "components",
+        "cpu",
+        "files",
+        "gpu",
+        "image",
+        "layout",
+        "oracle",
+        "passes",
+        "scene",
+        "shader",
+        "stats",
+        "systems",
+    ];
+    let below: [(&str, &[&str]); 12] = [
         ("components", &[]),
         ("image", &["components", "files"]),
         ("layout", &[]),
@@ -72,7 +85,9 @@ fn modules_know_only_what_is_below_them() {
         ("scene", &["components", "files", "image"]),
         ("shader", &["files", "layout"]),
         ("passes", &["layout"]),
-        ("cpu", &["components", "image", "layout"]),
+        ("stats", &[]),
+        ("oracle", &["components"]),
+        ("cpu", &["image", "layout", "stats"]),
         ("gpu", &["layout", "shader", "passes"]),
         ("systems", &["components", "cpu", "files", "gpu", "layout", "passes", "scene", "shader"]),
     ];

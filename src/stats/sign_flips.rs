@@ -6,7 +6,7 @@
 //! can't make the sum significant by itself, as it can with a normal approximation. A difference of two films by equal code is
 //! symmetric because the two may be exchanged.
 
-use super::statistics::{mean, upper_quantile, variance};
+use super::summary::{mean, upper_quantile, variance};
 
 /// Standard deviations below which the bound would be 1 or little less.
 const SMALL: f64 = 1.0;

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use super::light::Distribution;
+use super::choice::{Distribution, luminance};
 use super::random::Random;
 use crate::components::Environment;
 
@@ -73,9 +73,4 @@ impl Sky {
     fn cos_above(&self, row: usize) -> f64 {
         (PI * row as f64 / self.height as f64).cos()
     }
-}
-
-/// Rec.709.
-pub fn luminance(rgb: DVec3) -> f64 {
-    rgb.dot(DVec3::new(0.2126, 0.7152, 0.0722))
 }

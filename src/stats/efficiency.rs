@@ -1,7 +1,7 @@
 //! How much more efficient one estimator is than another: 1 / (relMSE x seconds) of each, and the ratio with its interval.
 
 use super::metrics::DARK;
-use super::statistics::{mean, upper_quantile, variance};
+use super::summary::{mean, upper_quantile, variance};
 
 /// Probability that the interval does not hold the true ratio, on either side.
 const ONE_SIDE: f64 = 0.025;

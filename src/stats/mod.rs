@@ -1,0 +1,9 @@
+//! What is said of pictures and of measurements: how far two pictures are apart and where, whether their means differ, and which estimator
+//! needs less time. Knows neither scenes nor where its numbers come from.
+
+pub mod blocks;
+pub mod efficiency;
+pub mod equal_means;
+pub mod metrics;
+pub mod sign_flips;
+pub mod summary;
