@@ -8,6 +8,7 @@ pub mod layout;
 pub mod app;
 pub mod components;
 pub mod cpu;
+pub mod engine;
 pub mod files;
 pub mod gpu;
 pub mod image;
@@ -17,5 +18,6 @@ pub mod scene;
 pub mod shader;
 pub mod stats;
 pub mod systems;
+pub mod watch;
 
-pub use systems::{Engine, EngineError, FilmImage, Progress, Report};
+pub use engine::{Engine, EngineError, FilmImage, Progress, Report};

@@ -37,8 +37,8 @@ impl Dice {
 }
 
 /// A description of what the world holds now: what a fresh engine is opened from.
-fn describe(world: &mut World) -> SceneDescription {
-    scene::describe(world, "edited")
+fn describe(engine: &Engine) -> SceneDescription {
+    engine.describe("edited")
 }
 
 fn all<T: Component>(world: &mut World) -> Vec<Entity> {
@@ -158,7 +158,7 @@ fn a_hundred_edits_end_where_a_fresh_engine_begins() {
             continue;
         }
         let edited = pixels(&mut engine);
-        let description = engine.edit(describe);
+        let description = describe(&engine);
         let fresh = pixels(&mut Engine::open(support::gpu(), Library::shipped(), &description).unwrap());
         assert!(edited == fresh, "after edit {i}, {what}, {} pixels differ", count_different(&edited, &fresh));
         lit += usize::from(edited.iter().any(|p| p.halves[0].sum[0] != glam::UVec2::ZERO));
@@ -248,7 +248,7 @@ fn by_name(world: &mut World, name: &str) -> Entity {
 /// The film of an engine equals that of its scene opened fresh.
 fn assert_law(engine: &mut Engine) {
     let edited = pixels(engine);
-    let description = engine.edit(describe);
+    let description = describe(&engine);
     let fresh = pixels(&mut Engine::open(support::gpu(), Library::shipped(), &description).unwrap());
     assert!(edited == fresh, "{} pixels differ", count_different(&edited, &fresh));
 }

@@ -7,9 +7,9 @@ use std::time::Duration;
 use bevy_ecs::prelude::*;
 use glam::{UVec2, Vec3};
 use lucerna::components::{Camera, Crop, Environment, Film, Material, Render, Transform};
+use lucerna::engine::TreeBuilder;
 use lucerna::scene::{self, SceneDescription};
 use lucerna::shader::Library;
-use lucerna::systems::state::{PackedScene, TreeBuilder};
 use lucerna::{Engine, EngineError, FilmImage};
 
 use crate::support;
@@ -145,15 +145,15 @@ fn what_a_scene_lacks_is_not_compiled() {
     }
     let mut engine = open(&description);
     finish(&mut engine, STEP);
-    let features = |engine: &mut Engine| engine.edit(|world| world.resource::<PackedScene>().features.clone());
-    let plain = features(&mut engine);
+    let features = |engine: &Engine| engine.features().clone();
+    let plain = features(&engine);
     assert!(!plain.contains("glossy") && !plain.contains("environment"), "{plain:?}");
     engine.edit(|world| {
         world.spawn((Name::new("sky"), Environment::Constant(Vec3::ONE)));
         change::<Material>(world, |m| m.ks = Vec3::splat(0.1));
     });
     finish(&mut engine, STEP);
-    let rich = features(&mut engine);
+    let rich = features(&engine);
     assert!(rich.contains("glossy") && rich.contains("environment"), "{rich:?}");
 }
 

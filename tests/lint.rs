@@ -7,7 +7,7 @@ use glam::Vec3;
 use lucerna::cpu::lint::Flaw;
 use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector};
 use lucerna::shader::Library;
-use lucerna::systems::lint::{Finding, VIEWS, kinds, run};
+use lucerna::watch::lint::{Finding, VIEWS, kinds, run};
 
 use crate::support;
 

@@ -8,12 +8,14 @@ use bevy_ecs::prelude::*;
 use glam::{DAffine3, DVec3, UVec2, Vec3};
 use lucerna::Engine;
 use lucerna::components::{Camera, Environment, Film, Geometry, Material, Render, Transform};
+use lucerna::engine::TreeBuilder;
 use lucerna::gpu::Gpu;
+use lucerna::gpu::GpuTable;
 use lucerna::layout::tree::{Node, Triangle, node_count};
 use lucerna::scene::generate::to_mesh;
 use lucerna::scene::{self, MeshEntry, SceneDescription};
 use lucerna::shader::Library;
-use lucerna::systems::state::{Device, PackedScene, TreeBuilder};
+use lucerna::systems::resources::Device;
 
 use crate::morton::{cloud, point, scenes};
 use crate::support;
@@ -53,8 +55,8 @@ fn open(builder: TreeBuilder, library: Library, description: &SceneDescription) 
 fn words(engine: &mut Engine) -> [Vec<u32>; 3] {
     while !engine.step(STEP).unwrap().finished {}
     let film = bytemuck::cast_slice(&engine.film().unwrap().pixels).to_vec();
-    engine.edit(|world| {
-        let count = world.resource::<PackedScene>().triangles;
+    engine.read(|world| {
+        let count = world.resource::<GpuTable<Triangle>>().len() as u32;
         let device = &world.resource::<Device>().0;
         let read = |name, items: u32, size: usize| device.read_some(name, items as usize * size / 4).unwrap();
         [read("leaves", count, size_of::<Triangle>()), read("nodes", node_count(count), size_of::<Node>()), film]

@@ -10,13 +10,14 @@ use lucerna::Engine;
 use lucerna::components::{Camera, Crop, Film, Material};
 use lucerna::cpu::tree::Tree;
 use lucerna::cpu::view::ViewScene;
-use lucerna::layout::trace::Shading;
-use lucerna::layout::tree::node_count;
+use lucerna::gpu::GpuTable;
+use lucerna::layout::trace::{MaterialRecord, Shading};
+use lucerna::layout::tree::{Triangle, node_count};
 use lucerna::layout::view::ViewMode;
 use lucerna::scene;
 use lucerna::shader::Library;
 use lucerna::systems::present::view_params;
-use lucerna::systems::state::{Device, PackedScene};
+use lucerna::systems::resources::{Device, SceneGeometry, Shot};
 
 use crate::support;
 use crate::support::tracer::device_fma;
@@ -31,8 +32,8 @@ fn open(name: &str, spp: &str) -> Engine {
     Engine::open(support::gpu(), Library::shipped(), &description).unwrap()
 }
 
-fn picture(engine: &mut Engine) -> Vec<u32> {
-    engine.edit(|world| world.resource::<Device>().0.read_some("picture", PIXELS)).unwrap()
+fn picture(engine: &Engine) -> Vec<u32> {
+    engine.read(|world| world.resource::<Device>().0.read_some("picture", PIXELS)).unwrap()
 }
 
 /// How often `view` and `display` were dispatched so far.
@@ -45,17 +46,18 @@ fn finish(engine: &mut Engine) {
 }
 
 /// The picture that the twin makes of what the device holds.
-fn twin(world: &mut World, mode: ViewMode) -> Vec<u32> {
+fn twin(world: &World, mode: ViewMode) -> Vec<u32> {
     let fma = device_fma();
-    let scene = world.resource::<PackedScene>();
+    let (geometry, shot) = (world.resource::<SceneGeometry>(), world.resource::<Shot>());
     let device = &world.resource::<Device>().0;
-    let count = scene.triangles;
+    let materials = world.resource::<GpuTable<MaterialRecord>>().rows();
+    let count = world.resource::<GpuTable<Triangle>>().len() as u32;
     let nodes = device.read_some("nodes", node_count(count) as usize).unwrap();
     let tree = Tree { leaves: device.read_some("leaves", count as usize).unwrap(), nodes };
     let shading: Vec<Shading> =
-        if scene.normals { device.read_some("shading", count as usize).unwrap() } else { Vec::new() };
-    let seen = ViewScene { tree: &tree, materials: &scene.records, shading: &shading, fma };
-    seen.view(&view_params(scene, mode))
+        if geometry.normals { device.read_some("shading", count as usize).unwrap() } else { Vec::new() };
+    let seen = ViewScene { tree: &tree, materials, shading: &shading, fma };
+    seen.view(&view_params(geometry, shot, mode))
 }
 
 /// How many pixels differ by more than a code in any channel.
@@ -88,7 +90,7 @@ fn every_view_is_that_of_its_twin() {
         for (mode, named) in ViewMode::ALL.into_iter().filter(|(mode, _)| *mode != ViewMode::Beauty) {
             engine.set_view(mode);
             engine.step(STEP).unwrap();
-            let (got, right) = (picture(&mut engine), engine.edit(|world| twin(world, mode)));
+            let (got, right) = (picture(&engine), engine.read(|world| twin(world, mode)));
             let colours = right.iter().collect::<BTreeSet<_>>().len();
             assert!(colours > 1, "{name}, {turned}, {named}: {colours} colours show little");
             // A device may round the direction otherwise, so that a ray at an edge sees what is beside it.
@@ -103,18 +105,18 @@ fn a_view_is_drawn_once_for_what_changed_and_the_film_goes_on() {
     let mut plain = open("cornell-box", "4");
     finish(&mut plain);
     let film = plain.film().unwrap();
-    let beauty = picture(&mut plain);
+    let beauty = picture(&plain);
 
     let mut engine = open("cornell-box", "4");
     engine.set_live(true);
     engine.set_view(ViewMode::Normal);
     finish(&mut engine);
     assert_eq!(counts(&engine), [1, 0], "one view while the film is traced");
-    let normals = picture(&mut engine);
+    let normals = picture(&engine);
     assert_eq!(engine.step(STEP).unwrap().dispatches, 0);
     // To read the film is not to show it.
     assert_eq!(engine.film().unwrap(), film);
-    assert_eq!(picture(&mut engine), normals);
+    assert_eq!(picture(&engine), normals);
     assert_eq!(engine.step(STEP).unwrap().dispatches, 0);
 
     let [_, displays] = counts(&engine);
@@ -124,7 +126,7 @@ fn a_view_is_drawn_once_for_what_changed_and_the_film_goes_on() {
     engine.set_view(ViewMode::Beauty);
     assert_eq!(engine.step(STEP).unwrap().dispatches, 1, "the film is as it was");
     assert_eq!(counts(&engine), [2, displays + 1]);
-    assert_eq!(picture(&mut engine), beauty);
+    assert_eq!(picture(&engine), beauty);
     assert_eq!(engine.film().unwrap(), film);
 }
 
@@ -133,13 +135,13 @@ fn a_view_follows_camera_and_materials() {
     let mut engine = open("cornell-box", "1");
     engine.set_view(ViewMode::Albedo);
     finish(&mut engine);
-    let first = picture(&mut engine);
+    let first = picture(&engine);
     engine.edit(|world| {
         let mut materials = world.query::<&mut Material>();
         materials.iter_mut(world).for_each(|mut material| material.kd *= 0.5);
     });
     finish(&mut engine);
-    let darker = picture(&mut engine);
+    let darker = picture(&engine);
     assert!(counts(&engine)[0] == 2 && differing(&first, &darker) > PIXELS / 4);
     engine.edit(|world| {
         let mut cameras = world.query::<&mut Camera>();
@@ -147,6 +149,6 @@ fn a_view_follows_camera_and_materials() {
     });
     finish(&mut engine);
     assert_eq!(counts(&engine), [3, 0]);
-    let right = engine.edit(|world| twin(world, ViewMode::Albedo));
-    assert!(differing(&picture(&mut engine), &right) <= PIXELS / 400 && differing(&darker, &right) > 0);
+    let right = engine.read(|world| twin(world, ViewMode::Albedo));
+    assert!(differing(&picture(&engine), &right) <= PIXELS / 400 && differing(&darker, &right) > 0);
 }

@@ -4,11 +4,11 @@ use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 use super::bench::BenchError;
+use crate::engine::EngineError;
 use crate::gpu::GpuError;
 use crate::image::{ReadError, SaveError};
 use crate::scene::{Diagnostic, Diagnostics};
 use crate::shader::ShaderError;
-use crate::systems::EngineError;
 
 /// What the process ends with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

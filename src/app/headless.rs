@@ -11,10 +11,10 @@ use super::progress::{Goal, Meter};
 use super::report::{Account, Seconds};
 use super::scene::Opened;
 use super::{Exit, Failure, output};
+use crate::engine::Engine;
 use crate::gpu::Gpu;
 use crate::image::{Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
-use crate::systems::Engine;
 
 /// Tracing between two looks at the clock and at signals.
 const STEP: Duration = Duration::from_millis(100);

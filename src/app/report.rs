@@ -6,9 +6,9 @@ use serde_json::{Value, json};
 
 use super::arguments::RenderArguments;
 use crate::components::{Crop, Energy, Integrator, Sampler};
+use crate::engine::{FilmImage, Report};
 use crate::layout::film::BadSample;
 use crate::scene::SceneDescription;
-use crate::systems::{FilmImage, Report};
 
 /// Wall-clock seconds of the phases.
 #[derive(Clone, Copy, Debug, Default)]

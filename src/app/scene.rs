@@ -11,7 +11,7 @@ use super::failure::show;
 use crate::components::{Crop, Render};
 use crate::scene::{self, SceneDescription};
 use crate::shader::{Library, ShaderError};
-use crate::systems::reload::{SceneFile, Sources};
+use crate::watch::{SceneFile, Sources};
 
 /// What every command that draws a scene takes beside its name.
 #[derive(Args, Clone, Debug, Default)]

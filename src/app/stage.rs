@@ -6,11 +6,10 @@ use std::time::Duration;
 use super::interrupt::Interrupt;
 use super::progress::Meter;
 use crate::components::{Film, Render};
+use crate::engine::{Engine, EngineError, FilmImage, Progress, Report};
 use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::{Features, Library};
-use crate::systems::state::PackedScene;
-use crate::systems::{Engine, EngineError, FilmImage, Progress, Report};
 
 /// Tracing between two looks at signals: as long as that of a headless render.
 const STEP: Duration = Duration::from_millis(100);
@@ -83,7 +82,7 @@ impl Stage {
 
     /// Shader features of the scene, as the last step found them.
     pub fn features(&mut self) -> Features {
-        self.engine.edit(|world| world.resource::<PackedScene>().features.clone())
+        self.engine.features().clone()
     }
 
     /// What was done since the scene was opened.

@@ -11,9 +11,9 @@ use super::compiling::{is_due, line, watch_compiling};
 use super::failure::show;
 use super::interrupt::Interrupt;
 use super::{Exit, Failure, output};
+use crate::engine::{Engine, EngineError, Progress};
 use crate::gpu::{Gpu, GpuError};
-use crate::systems::reload::{Problem, ReloadEvent, Restarts};
-use crate::systems::{Engine, EngineError, Progress};
+use crate::watch::{Problem, ReloadEvent, Restarts};
 
 /// Tracing between two looks at what was saved.
 const STEP: Duration = Duration::from_millis(30);

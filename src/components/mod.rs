@@ -16,6 +16,7 @@ mod environment;
 mod film;
 mod material;
 mod mesh;
+mod rendered;
 mod surface;
 
 pub use bevy_ecs::name::Name;
@@ -24,4 +25,21 @@ pub use environment::{Environment, EnvironmentMap};
 pub use film::{Crop, Energy, Film, Integrator, Render, Sampler};
 pub use material::{Material, TextureMaps};
 pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};
+pub use rendered::{CameraItem, EnvironmentItem, rendered_camera, rendered_environment};
 pub use surface::{Appearance, Passage, Specular};
+
+use bevy_ecs::prelude::World;
+
+/// Makes all components of scenes known to a world, so that it can be queried for any of them.
+pub fn register(world: &mut World) {
+    world.register_component::<Name>();
+    world.register_component::<Geometry>();
+    world.register_component::<Transform>();
+    world.register_component::<UsesMaterial>();
+    world.register_component::<Material>();
+    world.register_component::<Camera>();
+    world.register_component::<Active>();
+    world.register_component::<Film>();
+    world.register_component::<Render>();
+    world.register_component::<Environment>();
+}

@@ -10,6 +10,7 @@ mod player;
 mod room;
 mod runtime;
 mod surface;
+mod table;
 mod timing;
 
 pub use buffers::Buffers;
@@ -20,4 +21,5 @@ pub use picture::{Fit, Shown};
 pub use pipelines::{Code, Compiler};
 pub use runtime::Runtime;
 pub use surface::{Drawn, Paint, Surface, Target};
+pub use table::{GpuTable, TableRow};
 pub use timing::PassTiming;

@@ -16,7 +16,7 @@ type BindKey = (u32, Vec<(&'static str, u64)>);
 const KEPT_BIND_GROUPS: usize = 512;
 
 /// Name of the buffer that holds the parameters of a recording.
-const PARAMS: &str = "params";
+pub(super) const PARAMS: &str = "params";
 
 /// Turns recordings into submissions, and counts what it issued.
 #[derive(Default)]

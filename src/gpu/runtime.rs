@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::pipelines::{Code, Compiler, Pipelines};
-use super::player::{Player, Stage};
+use super::player::{PARAMS, Player, Stage};
 use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError, PassTiming};
 use crate::passes::{Pass, Recording};
@@ -18,6 +18,7 @@ pub struct Runtime {
     player: Player,
     features: Features,
     timer: Option<Timer>,
+    uploads: BTreeMap<&'static str, u64>,
 }
 
 impl Runtime {
@@ -30,6 +31,7 @@ impl Runtime {
             player: Player::default(),
             features: Features::new(),
             timer: None,
+            uploads: BTreeMap::new(),
         }
     }
 
@@ -59,6 +61,7 @@ impl Runtime {
 
     /// Fills a buffer from the start, making room first.
     pub fn upload<T: bytemuck::NoUninit>(&mut self, name: &'static str, items: &[T]) -> Result<(), GpuError> {
+        *self.uploads.entry(name).or_default() += size_of_val(items) as u64;
         self.buffers.upload(&self.gpu, name, bytemuck::cast_slice(items))
     }
 
@@ -70,6 +73,7 @@ impl Runtime {
         items: &[T],
     ) -> Result<(), GpuError> {
         let offset = index * size_of::<T>() as u64;
+        *self.uploads.entry(name).or_default() += size_of_val(items) as u64;
         self.buffers.write(&self.gpu, name, offset, bytemuck::cast_slice(items))
     }
 
@@ -81,6 +85,7 @@ impl Runtime {
         self.buffers.reserve(&self.gpu, LOOP_FAULTS, 8)?;
         let stage =
             Stage { gpu: &self.gpu, buffers: &self.buffers, pipelines: &mut self.pipelines, features: &self.features };
+        *self.uploads.entry(PARAMS).or_default() += recording.calls().map(|call| call.params.len() as u64).sum::<u64>();
         self.player.play(stage, recording, self.timer.as_mut())
     }
 
@@ -162,6 +167,11 @@ impl Runtime {
     /// How often each pass was dispatched so far.
     pub fn dispatches(&self) -> &BTreeMap<&'static str, u64> {
         self.player.counts()
+    }
+
+    /// Bytes written to each buffer so far; `params` are the parameters of dispatches.
+    pub fn uploads(&self) -> &BTreeMap<&'static str, u64> {
+        &self.uploads
     }
 
     /// GPU time by pass since the last call; empty without timing.

@@ -55,6 +55,11 @@ impl Recording {
         self.calls.iter().filter(|call| !call.size.is_empty())
     }
 
+    /// Whether nothing will be issued.
+    pub fn is_empty(&self) -> bool {
+        self.calls().next().is_none()
+    }
+
     /// Appends what another recording holds.
     pub fn extend(&mut self, other: Recording) {
         self.calls.extend(other.calls);

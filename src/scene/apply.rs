@@ -7,7 +7,7 @@ use bevy_ecs::component::Mutable;
 use bevy_ecs::prelude::*;
 
 use super::load::{MeshEntry, SceneDescription};
-use crate::components::{Active, Camera, Environment, Film, Geometry, Material, Name, UsesMaterial};
+use crate::components::{self, Active, Camera, Environment, Film, Geometry, Material, Name, UsesMaterial};
 
 /// Makes the world hold exactly the scene that `description` describes, entity by entity, matched by `Name`.
 ///
@@ -19,6 +19,7 @@ pub fn apply(world: &mut World, description: &SceneDescription) {
 
 /// The same, but leaves alone what is in the description as it was in an earlier one: what was edited since stays so.
 pub fn apply_changes(world: &mut World, earlier: Option<&SceneDescription>, description: &SceneDescription) {
+    components::register(world);
     let materials = match_by_name::<Material>(world, description.materials.keys());
     for (name, material) in &description.materials {
         set_change(world, materials[name], earlier.and_then(|e| e.materials.get(name)), material);

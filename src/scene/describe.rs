@@ -3,40 +3,49 @@
 use std::collections::BTreeMap;
 
 use bevy_ecs::prelude::*;
+use bevy_ecs::query::QueryState;
 
 use super::load::{MeshEntry, SceneDescription};
-use crate::components::{Active, Camera, Environment, Film, Geometry, Material, Name, Render, Transform, UsesMaterial};
+use crate::components::{
+    CameraItem, EnvironmentItem, Film, Geometry, Material, Name, Render, Transform, UsesMaterial, rendered_camera,
+    rendered_environment,
+};
 
-type Mesh<'a> = (&'a Name, &'a Geometry, Option<&'a Transform>, Option<&'a UsesMaterial>);
+type Mesh = (&'static Name, &'static Geometry, Option<&'static Transform>, Option<&'static UsesMaterial>);
 
 /// What the world holds now, edits included. Applied to another world, it makes that one equal; entities without a `Name`
 /// are left out.
-pub fn describe(world: &mut World, name: &str) -> SceneDescription {
+pub fn describe(world: &World, name: &str) -> SceneDescription {
     let key = |name: &Name| name.as_str().to_owned();
-    let materials: Vec<(Entity, String, Material)> =
-        world.query::<(Entity, &Name, &Material)>().iter(world).map(|(e, n, m)| (e, key(n), m.clone())).collect();
-    let names: BTreeMap<Entity, String> = materials.iter().map(|(e, n, _)| (*e, n.clone())).collect();
+    let mut materials = BTreeMap::new();
+    let mut names: BTreeMap<Entity, String> = BTreeMap::new();
+    for (entity, name, material) in query::<(Entity, &Name, &Material)>(world).iter(world) {
+        materials.insert(key(name), material.clone());
+        names.insert(entity, key(name));
+    }
     let entry = |(name, geometry, transform, uses): (&Name, &Geometry, Option<&Transform>, Option<&UsesMaterial>)| {
         // A name that no material has stands for none.
         let material = uses.and_then(|uses| names.get(&uses.0)).cloned().unwrap_or_default();
         let transform = transform.copied().unwrap_or_default();
         (key(name), MeshEntry { geometry: geometry.0.clone(), transform, material })
     };
-    let meshes = world.query::<Mesh>().iter(world).map(entry).collect();
-    let mut cameras: Vec<(bool, String, Camera)> =
-        world.query::<(Has<Active>, &Name, &Camera)>().iter(world).map(|(a, n, c)| (!a, key(n), *c)).collect();
-    // The one that is rendered: by name, of those that are marked.
-    cameras.sort_by(|a, b| (a.0, &a.1).cmp(&(b.0, &b.1)));
-    let (film, render) =
-        world.query::<(&Film, &Render)>().iter(world).next().map(|(f, r)| (*f, *r)).unwrap_or_default();
+    let meshes = query::<Mesh>(world).iter(world).map(entry).collect();
+    let mut cameras = query::<CameraItem>(world);
+    let active = rendered_camera(cameras.iter(world)).map(|(_, name, _)| key(name));
+    let (film, render) = query::<(&Film, &Render)>(world).iter(world).next().map(|(f, r)| (*f, *r)).unwrap_or_default();
     SceneDescription {
         name: name.to_owned(),
         meshes,
-        materials: materials.into_iter().map(|(_, name, material)| (name, material)).collect(),
-        active: cameras.first().map(|camera| camera.1.clone()).unwrap_or_default(),
-        cameras: cameras.into_iter().map(|(_, name, camera)| (name, camera)).collect(),
+        materials,
+        active: active.unwrap_or_default(),
+        cameras: cameras.iter(world).map(|(_, name, camera, _)| (key(name), *camera)).collect(),
         film,
         render,
-        environment: world.query::<&Environment>().iter(world).next().cloned(),
+        environment: rendered_environment(query::<EnvironmentItem>(world).iter(world)).cloned(),
     }
+}
+
+/// A query of a world that a description was applied to, and so knows all components of scenes.
+fn query<D: bevy_ecs::query::QueryData>(world: &World) -> QueryState<D> {
+    world.try_query().expect("invariant: apply registers the components of scenes")
 }

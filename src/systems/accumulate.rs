@@ -3,27 +3,28 @@
 use bevy_ecs::prelude::*;
 
 use super::Phase;
-use super::state::{Batch, FilmProgress, Frame, PackedScene, no_fault};
+use super::resources::{Batch, FilmProgress, Frame, Shot};
+use super::run::counted;
 use crate::passes::film;
 
 pub fn add_systems(schedule: &mut Schedule) {
-    schedule.add_systems(accumulate_batch.in_set(Phase::Accumulate).run_if(no_fault));
+    let batch_planned = |batch: Res<Batch>| !batch.is_empty();
+    let system = accumulate_batch.pipe(counted("accumulate_batch"));
+    schedule.add_systems(system.run_if(batch_planned).in_set(Phase::Accumulate));
 }
 
 fn accumulate_batch(
     mut frame: ResMut<Frame>,
-    mut progress: ResMut<FilmProgress>,
+    mut progress: Single<&mut FilmProgress>,
     batch: Res<Batch>,
-    scene: Res<PackedScene>,
+    shot: Res<Shot>,
 ) {
-    if batch.layers == 0 {
-        return;
-    }
-    let first_pixel = batch.first_row * scene.shot.window_width;
-    film::record_accumulate(&mut frame.trace, &batch.params(&scene), scene.exponent, first_pixel);
+    let size = shot.size();
+    let first_pixel = batch.first_row * size.x;
+    film::record_accumulate(&mut frame.trace, &batch.params(&shot), shot.exponent, first_pixel);
     progress.outdate_beauty();
     progress.rows += batch.rows;
-    if progress.rows == scene.shot.window_height {
+    if progress.rows == size.y {
         progress.rows = 0;
         progress.samples += batch.layers;
     }

@@ -1,40 +1,43 @@
 //! One file a phase of the schedule.
 //!
-//! `Reload -> Extract -> Upload -> Build -> Trace -> Accumulate -> Present -> Submit`. Extract finds what changed by change
-//! detection, and compares values, so that an edit which changes nothing resets nothing. Each later phase does only what
-//! an earlier one left for it in [`state`].
+//! `Reload -> Extract -> Upload -> Build -> Trace -> Accumulate -> Present -> Submit`. Each system runs only where it has something to
+//! do: extraction by change detection, which compares values too, so that an edit that changes nothing resets nothing; each
+//! later phase by what is not there yet, of tree, film, batch or picture ([`resources`]).
 
 mod accumulate;
 mod build;
-pub mod compiling;
-mod engine;
+mod error;
 mod extract;
-mod governor;
-pub mod inspect;
-pub mod lint;
 pub mod present;
-pub mod reload;
-mod report;
-pub mod state;
+mod reload;
+pub mod resources;
+mod run;
 mod submit;
 mod trace;
 mod upload;
 
 use bevy_ecs::prelude::*;
 
-pub use engine::{Engine, EngineError, Progress};
-pub use report::{FilmImage, Report};
+pub use error::{EngineError, Fault};
+pub use reload::{Reload, go_back};
+pub use run::Entered;
+
+use crate::components::Film;
+use resources::{
+    Batch, CompileListener, Everything, Exposure, FilmProgress, Frame, Governor, LightDensity, Live, Policy,
+    SceneGeometry, Shot, Sky, Spent, Target, Tree, Viewed,
+};
 
 /// The phases, in order.
 #[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Phase {
     /// Puts in place what was saved and compiled since the last run.
     Reload,
-    /// Components to packed arrays, and to a list of what they change.
+    /// Components to tables and parameters, and what they make start anew.
     Extract,
-    /// Packed arrays to buffers.
+    /// Tables to buffers.
     Upload,
-    /// Records Morton codes to tree, where triangles changed.
+    /// Records Morton codes to tree, where there is none of the triangles as they are.
     Build,
     /// Records a batch of samples, where the film is not finished.
     Trace,
@@ -63,6 +66,12 @@ pub fn schedule() -> Schedule {
         )
             .chain(),
     );
+    // What a phase failed at, none behind it tries.
+    let behind_reload =
+        [Phase::Extract, Phase::Upload, Phase::Build, Phase::Trace, Phase::Accumulate, Phase::Present, Phase::Submit];
+    for phase in behind_reload {
+        schedule.configure_sets(phase.run_if(error::no_fault));
+    }
     reload::add_systems(&mut schedule);
     extract::add_systems(&mut schedule);
     upload::add_systems(&mut schedule);
@@ -72,4 +81,42 @@ pub fn schedule() -> Schedule {
     present::add_systems(&mut schedule);
     submit::add_systems(&mut schedule);
     schedule
+}
+
+/// Adds all that the phases hand to each other, but for the device and how it is used.
+pub fn insert_resources(world: &mut World) {
+    world.register_required_components::<Film, FilmProgress>();
+    upload::insert_tables(world);
+    world.init_resource::<CompileListener>();
+    world.init_resource::<Fault>();
+    world.init_resource::<Entered>();
+    world.init_resource::<Everything>();
+    world.init_resource::<Policy>();
+    world.init_resource::<SceneGeometry>();
+    world.init_resource::<LightDensity>();
+    world.init_resource::<Sky>();
+    world.init_resource::<Shot>();
+    world.init_resource::<Exposure>();
+    world.init_resource::<Target>();
+    world.init_resource::<Tree>();
+    world.init_resource::<Batch>();
+    world.init_resource::<Frame>();
+    world.init_resource::<Spent>();
+    world.init_resource::<Live>();
+    world.init_resource::<Viewed>();
+    world.init_resource::<Governor>();
+}
+
+/// Has everything extracted, sent and traced anew: what was extracted may not have been sent, nor what was recorded have run.
+pub fn start_again(world: &mut World) {
+    world.resource_mut::<Everything>().0 = true;
+    upload::send_tables_again(world);
+    world.resource_mut::<Tree>().built = false;
+    restart_film(world);
+}
+
+/// Has the film start anew.
+pub fn restart_film(world: &mut World) {
+    let mut films = world.query::<&mut FilmProgress>();
+    films.iter_mut(world).for_each(|mut progress| progress.restart());
 }

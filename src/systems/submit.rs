@@ -3,56 +3,82 @@
 use std::time::Instant;
 
 use bevy_ecs::prelude::*;
+use bevy_ecs::system::SystemParam;
 
+use super::Phase;
 use super::build::make_tree;
-use super::compiling::CompileListener;
-use super::governor::Governor;
-use super::state::{Batch, Device, Dirty, Frame, PackedScene, Spent, TreeBuilder, keep_fault, no_fault};
-use super::{EngineError, Phase};
+use super::error::EngineError;
+use super::resources::{Batch, CompileListener, Device, Frame, Governor, Shot, Spent, Tree, TreeBuilder};
+use super::run::counted;
+use crate::gpu::{GpuTable, Runtime};
+use crate::layout::tree::Triangle;
+use crate::passes::Recording;
 
 pub fn add_systems(schedule: &mut Schedule) {
-    schedule.add_systems(submit_frame.pipe(keep_fault).in_set(Phase::Submit).run_if(no_fault));
+    let system = submit_frame.pipe(counted("submit_frame"));
+    schedule.add_systems(system.run_if(is_recorded).in_set(Phase::Submit));
 }
 
-#[expect(clippy::too_many_arguments, reason = "a system's arguments are what it reads and writes")]
+/// There is something to play.
+fn is_recorded(frame: Res<Frame>, tree: Res<Tree>) -> bool {
+    !tree.built || !frame.trace.is_empty() || !frame.picture.is_empty()
+}
+
+/// What this run of the schedule has planned.
+#[derive(SystemParam)]
+struct Planned<'w> {
+    batch: Res<'w, Batch>,
+    shot: Res<'w, Shot>,
+    triangles: Res<'w, GpuTable<Triangle>>,
+    builder: Res<'w, TreeBuilder>,
+}
+
+/// What is learnt from playing.
+#[derive(SystemParam)]
+struct Learnt<'w> {
+    tree: ResMut<'w, Tree>,
+    spent: ResMut<'w, Spent>,
+    governor: ResMut<'w, Governor>,
+}
+
+/// The tree by itself, so that its time is known; then the batch; then the picture.
 fn submit_frame(
     mut device: ResMut<Device>,
     mut frame: ResMut<Frame>,
-    mut spent: ResMut<Spent>,
-    mut governor: ResMut<Governor>,
-    mut dirty: ResMut<Dirty>,
-    batch: Res<Batch>,
-    scene: Res<PackedScene>,
-    builder: Res<TreeBuilder>,
+    planned: Planned,
+    mut learnt: Learnt,
     listener: Res<CompileListener>,
 ) -> Result<(), EngineError> {
-    let frame = std::mem::take(&mut *frame);
+    let (device, frame) = (&mut device.0, std::mem::take(&mut *frame));
     let recordings = [&frame.build, &frame.trace, &frame.picture];
     // To the end of the frame, for some drivers compile a pass when it first runs.
-    let _telling = device.0.lacks(&recordings).then(|| listener.tell());
-    device.0.prepare(&recordings)?;
-    if dirty.tree {
+    let _telling = device.lacks(&recordings).then(|| listener.tell());
+    device.prepare(&recordings)?;
+    if !learnt.tree.built {
         let start = Instant::now();
-        make_tree(&mut device.0, &frame.build, *builder, scene.triangles)?;
-        spent.build += start.elapsed().as_secs_f64();
-        governor.forget();
+        make_tree(device, &frame.build, *planned.builder, planned.triangles.rows())?;
+        learnt.tree.built = true;
+        learnt.spent.build += start.elapsed().as_secs_f64();
+        learnt.governor.forget();
     }
-    *dirty = Dirty::default();
-    if batch.layers > 0 {
+    if !frame.trace.is_empty() {
         let start = Instant::now();
-        device.0.play(&frame.trace)?;
-        device.0.wait()?;
-        device.0.check_loops()?;
+        play(device, &frame.trace)?;
         let seconds = start.elapsed().as_secs_f64();
-        let samples = batch.samples(scene.shot.window_width);
-        spent.trace += seconds;
-        spent.samples += samples;
-        governor.learn(samples, seconds);
+        let samples = planned.batch.samples(planned.shot.size().x);
+        learnt.spent.trace += seconds;
+        learnt.spent.samples += samples;
+        learnt.governor.learn(samples, seconds);
     }
-    if frame.picture.calls().next().is_some() {
-        device.0.play(&frame.picture)?;
-        device.0.wait()?;
-        device.0.check_loops()?;
+    if !frame.picture.is_empty() {
+        play(device, &frame.picture)?;
     }
     Ok(())
+}
+
+/// Plays a recording to its end.
+fn play(device: &mut Runtime, recording: &Recording) -> Result<(), EngineError> {
+    device.play(recording)?;
+    device.wait()?;
+    Ok(device.check_loops()?)
 }

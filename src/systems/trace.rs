@@ -2,9 +2,10 @@
 
 use bevy_ecs::prelude::*;
 
-use super::governor::Governor;
-use super::state::{Batch, Budget, Device, FilmProgress, Frame, PackedScene, keep_fault, no_fault};
-use super::{EngineError, Phase};
+use super::Phase;
+use super::error::EngineError;
+use super::resources::{Batch, Budget, Device, FilmProgress, Frame, Governor, Shot, Target};
+use super::run::counted;
 use crate::layout::trace::TraceParams;
 use crate::passes::{film, trace};
 
@@ -15,41 +16,57 @@ const BATCH_BYTES: u64 = 128 << 20;
 const MOST_LAYERS: u64 = 1024;
 
 pub fn add_systems(schedule: &mut Schedule) {
-    schedule.add_systems((plan_batch, record_batch.pipe(keep_fault)).chain().in_set(Phase::Trace).run_if(no_fault));
+    let batch_planned = |batch: Res<Batch>| !batch.is_empty();
+    schedule.add_systems(
+        (
+            forget_batch,
+            plan_batch.pipe(counted("plan_batch")).run_if(samples_wanted),
+            record_batch.pipe(counted("record_batch")).run_if(batch_planned),
+        )
+            .chain()
+            .in_set(Phase::Trace),
+    );
 }
 
 impl Batch {
     /// The trace kernel's parameters: the window is the batch's rows.
-    pub fn params(&self, scene: &PackedScene) -> TraceParams {
+    pub fn params(&self, shot: &Shot) -> TraceParams {
         TraceParams {
-            window_y: scene.shot.window_y + self.first_row,
+            window_y: shot.params.window_y + self.first_row,
             window_height: self.rows,
             first_sample: self.first_sample,
             layers: self.layers,
-            ..scene.shot
+            ..shot.params
         }
     }
 }
 
-/// As many samples as the governor gives: whole layers, or some rows of one. Nothing, if the film is finished.
+/// The last run's batch is over.
+fn forget_batch(mut batch: ResMut<Batch>) {
+    *batch = Batch::default();
+}
+
+/// Run condition: the film is not finished.
+fn samples_wanted(progress: Single<&FilmProgress>, target: Res<Target>) -> bool {
+    progress.samples < target.0
+}
+
+/// As many samples as the governor gives: whole layers, or some rows of one.
 fn plan_batch(
     mut batch: ResMut<Batch>,
-    progress: Res<FilmProgress>,
-    scene: Res<PackedScene>,
+    progress: Single<&FilmProgress>,
+    shot: Res<Shot>,
+    target: Res<Target>,
     governor: Res<Governor>,
     budget: Res<Budget>,
     device: Res<Device>,
 ) {
-    *batch = Batch::default();
-    if progress.samples >= scene.target {
-        return;
-    }
-    let (width, height) = (u64::from(scene.shot.window_width), u64::from(scene.shot.window_height));
+    let (width, height) = (u64::from(shot.size().x), u64::from(shot.size().y));
     let limit = BATCH_BYTES.min(device.0.gpu().limits.max_storage_buffer_binding_size);
     let fit = (limit / trace::buffers(1, 1)[0].1).max(1);
     let wanted = (governor.samples(budget.0.as_secs_f64()) as u64).clamp(1, fit);
     let (first_sample, first_row) = (progress.samples, progress.rows);
-    let layers = (wanted / (width * height)).min(u64::from(scene.target - progress.samples)).min(MOST_LAYERS);
+    let layers = (wanted / (width * height)).min(u64::from(target.0 - progress.samples)).min(MOST_LAYERS);
     *batch = if first_row == 0 && layers >= 1 {
         Batch { first_sample, layers: layers as u32, first_row, rows: height as u32 }
     } else {
@@ -58,25 +75,21 @@ fn plan_batch(
     };
 }
 
-/// Records the film's reset if it is due, and the trace kernel over the batch.
+/// Records the reset of a film without samples, and the trace kernel over the batch.
 fn record_batch(
     mut device: ResMut<Device>,
     mut frame: ResMut<Frame>,
-    mut progress: ResMut<FilmProgress>,
+    progress: Single<&FilmProgress>,
     batch: Res<Batch>,
-    scene: Res<PackedScene>,
+    shot: Res<Shot>,
 ) -> Result<(), EngineError> {
-    if batch.layers == 0 {
-        return Ok(());
-    }
-    let width = scene.shot.window_width;
-    if !progress.cleared {
-        film::record_reset(&mut frame.trace, width * scene.shot.window_height);
-        progress.cleared = true;
+    let width = shot.size().x;
+    if (progress.samples, progress.rows) == (0, 0) {
+        film::record_reset(&mut frame.trace, width * shot.size().y);
     }
     for (name, bytes) in trace::buffers(u64::from(width) * u64::from(batch.rows), batch.layers) {
         device.0.reserve(name, bytes)?;
     }
-    trace::record(&mut frame.trace, &batch.params(&scene));
+    trace::record(&mut frame.trace, &batch.params(&shot));
     Ok(())
 }

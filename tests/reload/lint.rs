@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::Bench;
-use lucerna::systems::reload::ReloadEvent;
+use lucerna::watch::ReloadEvent;
 
 /// Waits for a lint's outcome; returns its warnings.
 fn linted(bench: &mut Bench) -> Vec<String> {

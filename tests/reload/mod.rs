@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 use lucerna::scene;
 use lucerna::shader::Library;
-use lucerna::systems::reload::{ReloadEvent, SceneFile, Sources};
+use lucerna::watch::{ReloadEvent, SceneFile, Sources};
 use lucerna::{Engine, FilmImage};
 
 use crate::support;

@@ -3,7 +3,7 @@
 
 use std::time::{Duration, Instant};
 
-use lucerna::systems::reload::ReloadEvent;
+use lucerna::watch::ReloadEvent;
 
 use super::Bench;
 use crate::support;

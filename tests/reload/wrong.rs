@@ -150,7 +150,7 @@ fn a_scene_that_first_asks_for_an_endless_loop_gives_way_to_the_last() {
 
 #[test]
 fn the_good_half_of_a_burst_is_taken_up_and_told_before_the_other() {
-    use lucerna::systems::reload::ReloadEvent;
+    use lucerna::watch::ReloadEvent;
     let mut bench = Bench::new();
     bench.replace("shaders/lib/sampling.wgsl", "return Angle(sqrt(1.0 - u)", "return Angle(0.5 * sqrt(1.0 - u)");
     bench.replace("scene.ron", "max_depth: 3", "max_deep: 3");

@@ -8,7 +8,6 @@ use lucerna::Engine;
 use lucerna::components::Crop;
 use lucerna::scene;
 use lucerna::shader::Library;
-use lucerna::systems::inspect::inspect;
 
 use crate::support;
 
@@ -20,13 +19,13 @@ fn a_pixel_is_what_the_film_holds_and_what_is_seen_there() {
     description.film.crop = Some(Crop { min: UVec2::new(8, 0), max: UVec2::new(60, 40) });
     description.render.spp = 3;
     let mut engine = Engine::open(support::gpu(), Library::shipped(), &description).unwrap();
-    assert_eq!(engine.edit(|world| inspect(world, UVec2::ZERO)).unwrap(), None);
+    assert_eq!(engine.inspect(UVec2::ZERO).unwrap(), None);
     while !engine.step(Duration::from_millis(100)).unwrap().finished {}
     let film = engine.film().unwrap();
     let brightest = (0..film.rgb.len()).max_by(|a, b| film.rgb[*a][1].total_cmp(&film.rgb[*b][1])).unwrap();
     let mut look = |index: usize| {
         let pixel = UVec2::new(index as u32 % 52, index as u32 / 52);
-        engine.edit(|world| inspect(world, pixel)).unwrap().unwrap()
+        engine.inspect(pixel).unwrap().unwrap()
     };
     for index in [0, 51, 52, 777, 52 * 40 - 1, brightest] {
         let seen = look(index);
@@ -36,7 +35,7 @@ fn a_pixel_is_what_the_film_holds_and_what_is_seen_there() {
     assert!(lamp.material.as_deref() == Some("cornell-data:light"), "{lamp:?}");
     // The film is wider than the box is deep: at its left edge, the camera looks past it.
     assert_eq!(look(52 * 20).surface, None);
-    let outside = engine.edit(|world| inspect(world, UVec2::new(52, 0))).unwrap();
+    let outside = engine.inspect(UVec2::new(52, 0)).unwrap();
     assert_eq!(outside, None);
     let report = engine.report().unwrap();
     assert_eq!(report.samples, 3 * 52 * 40, "to look is not to trace");

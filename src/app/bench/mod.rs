@@ -13,13 +13,13 @@ use std::time::Instant;
 use serde::Serialize;
 
 use super::output;
+use crate::engine::EngineError;
 use crate::gpu::{GpuError, Runtime};
 use crate::image::SaveError;
 use crate::layout::tree::Triangle;
 use crate::oracle::OracleError;
 use crate::passes::Recording;
 use crate::scene::generate;
-use crate::systems::EngineError;
 
 /// Runs before the first that counts: GPUs clock up only under load.
 const WARM_UP: u32 = 5;

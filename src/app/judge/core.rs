@@ -13,12 +13,12 @@ use super::series::{Round, Series};
 use super::side::{Shot, Side};
 use super::sizing::{FIRST_SPP, fits, halved, is_cheap, pixels, resized, spp};
 use crate::components::Film;
+use crate::engine::EngineError;
 use crate::gpu::Gpu;
 use crate::passes::table::TABLE;
 use crate::passes::{extend, lint};
 use crate::scene::SceneDescription;
 use crate::shader::{Features, Library, ShaderError};
-use crate::systems::EngineError;
 
 /// Films of each at the first look; each later one is at twice as many.
 const FIRST_LOOK: usize = 4;

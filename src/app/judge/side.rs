@@ -6,10 +6,10 @@ use super::JudgeError;
 use super::clock::Clock;
 use crate::app::stage::Stage;
 use crate::components::{Film, Render};
+use crate::engine::EngineError;
 use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::{Features, Library};
-use crate::systems::EngineError;
 
 pub struct Side {
     stage: Stage,

@@ -12,8 +12,8 @@ use winit::window::{Window, WindowId};
 use super::reason;
 use super::session::{Opening, Session};
 use crate::app::{Exit, Failure, output};
+use crate::engine::EngineError;
 use crate::gpu::GpuError;
-use crate::systems::EngineError;
 
 /// A device that is lost twice within this is not opened a third time.
 const PATIENCE: Duration = Duration::from_secs(10);

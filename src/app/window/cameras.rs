@@ -4,28 +4,19 @@ use std::collections::BTreeMap;
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{Active, Camera, Name};
+use crate::components::{Active, Camera, CameraItem, Name, rendered_camera};
 
 /// All cameras by name.
-pub fn all(world: &mut World) -> BTreeMap<String, Camera> {
-    world.query::<(&Name, &Camera)>().iter(world).map(|(name, camera)| (name.as_str().to_owned(), *camera)).collect()
-}
-
-/// The camera that is rendered, chosen as the engine does.
-fn rendered(world: &mut World) -> Option<(Entity, String, Camera)> {
-    let mut cameras = world.query::<(Entity, &Name, &Camera, Has<Active>)>();
-    let found = cameras.iter(world).min_by_key(|(entity, name, _, active)| (!active, name.as_str(), *entity));
-    found.map(|(entity, name, camera, _)| (entity, name.as_str().to_owned(), *camera))
-}
-
-/// Name and view of the camera that is rendered.
-pub fn view(world: &mut World) -> Option<(String, Camera)> {
-    rendered(world).map(|(_, name, camera)| (name, camera))
+pub fn all(world: &World) -> BTreeMap<String, Camera> {
+    let Some(mut cameras) = world.try_query::<(&Name, &Camera)>() else { return BTreeMap::new() };
+    cameras.iter(world).map(|(name, camera)| (name.as_str().to_owned(), *camera)).collect()
 }
 
 /// Moves the camera that is rendered. Says whether it was elsewhere.
 pub fn set_view(world: &mut World, view: Camera) -> bool {
-    let Some((entity, ..)) = rendered(world).filter(|(.., camera)| *camera != view) else { return false };
+    let mut cameras = world.query::<CameraItem>();
+    let rendered = rendered_camera(cameras.iter(world)).filter(|(.., camera)| **camera != view);
+    let Some(entity) = rendered.map(|(entity, ..)| entity) else { return false };
     world.entity_mut(entity).insert(view);
     true
 }

@@ -12,9 +12,8 @@ use super::{cameras, navigate, pace};
 use crate::app::Failure;
 use crate::app::failure::rendered;
 use crate::components::Film;
+use crate::engine::{EngineError, Progress};
 use crate::gpu::{Drawn, Fit, GpuError};
-use crate::systems::state::{PackedScene, Spent};
-use crate::systems::{EngineError, Progress};
 
 /// A film that is moved on before each of its pixels has a sample gets so much time for it.
 const FIRST_SAMPLE: Duration = Duration::from_millis(100);
@@ -74,22 +73,19 @@ impl Session {
 
     /// Seconds of tracing so far. The time of compiling is not in it.
     fn traced(&mut self) -> f64 {
-        self.engine.edit(|world| world.resource::<Spent>().trace)
+        self.engine.spent().trace
     }
 
     /// How the picture lies on the window: a crop keeps its shape, any other film is as large as the window.
     fn fit(&mut self) -> Fit {
-        let crop = self.engine.edit(|world| world.query::<&Film>().iter(world).any(|film| film.crop.is_some()));
+        let crop = self.engine.settings().is_some_and(|(film, _)| film.crop.is_some());
         if crop { Fit::Letterbox } else { Fit::Fill }
     }
 
     /// The pixel of the picture that the pointer is on.
     pub(super) fn pixel_under_pointer(&mut self) -> Option<UVec2> {
         let (cursor, fit) = (self.controls.cursor?.as_vec2(), self.fit());
-        let size = self.engine.edit(|world| {
-            let shot = world.resource::<PackedScene>().shot;
-            UVec2::new(shot.window_width, shot.window_height)
-        });
+        let size = self.engine.window_size();
         let (origin, extent) = fit.place(size, physical_size(&self.window));
         let at = (cursor - origin) / extent * size.as_vec2();
         (at.cmpge(glam::Vec2::ZERO).all() && at.cmplt(size.as_vec2()).all()).then(|| at.as_uvec2())

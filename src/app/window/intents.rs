@@ -12,9 +12,7 @@ use super::{cameras, navigate, snapshot};
 use crate::app::failure::show;
 use crate::app::output;
 use crate::components::{Camera, Film};
-use crate::scene;
-use crate::systems::EngineError;
-use crate::systems::state::{Dirty, PackedScene};
+use crate::engine::EngineError;
 
 /// Stops of exposure, either way: what a scene file may say.
 const MOST_STOPS: f32 = 64.0;
@@ -35,13 +33,13 @@ impl Session {
             }
             Intent::FrameAll => self.frame_all(now),
             Intent::Camera(place) => {
-                let names: Vec<String> = self.engine.edit(cameras::all).into_keys().collect();
+                let names: Vec<String> = self.engine.read(cameras::all).into_keys().collect();
                 if let Some(name) = names.get(place) {
                     self.choose_camera(name, now);
                 }
             }
             Intent::Restart => {
-                self.engine.edit(|world| world.resource_mut::<Dirty>().film = true);
+                self.engine.restart_film();
                 self.look_again();
             }
             Intent::Exposure(stops) => self.expose(stops),
@@ -81,7 +79,7 @@ impl Session {
 
     /// Looks through a camera of the scene, from where the scene's file has it.
     pub(super) fn choose_camera(&mut self, name: &str, now: Instant) {
-        let held = self.engine.edit(cameras::all).get(name).copied();
+        let held = self.engine.read(cameras::all).get(name).copied();
         if let Some(home) = self.homes.get(name).copied().or(held) {
             self.engine.edit(|world| cameras::choose(world, name, home));
             self.take_view(now);
@@ -89,10 +87,7 @@ impl Session {
     }
 
     fn frame_all(&mut self, now: Instant) {
-        let (low, high) = self.engine.edit(|world| {
-            let scene = world.resource::<PackedScene>();
-            (scene.low, scene.high)
-        });
+        let (low, high) = self.engine.bounds();
         let size = physical_size(&self.window).as_dvec2();
         self.set_view(navigate::frame(self.view, low, high, size.x / size.y.max(1.0)), now);
     }
@@ -110,7 +105,7 @@ impl Session {
     }
 
     fn print_camera(&mut self) {
-        let Some((name, _)) = self.engine.edit(cameras::view) else { return };
+        let Some((name, _)) = self.engine.camera() else { return };
         let line = navigate::to_ron(&name, &self.view);
         match output::write(&format!("{line}\n")) {
             Ok(()) => self.notify("the camera was printed to the terminal".to_owned()),
@@ -123,7 +118,7 @@ impl Session {
         let film = self.engine.film();
         let Some(film) = self.survive("saving", film)? else { return Ok(()) };
         let name = self.name().to_owned();
-        let scene = self.engine.edit(|world| scene::describe(world, &name));
+        let scene = self.engine.describe(&name);
         let (names, failures) = snapshot::save(Path::new("result"), &scene, &self.gpu.name(), &film);
         if !names.is_empty() {
             let saved = format!("saved {}", names.join(" and "));

@@ -14,7 +14,7 @@ use crate::app::failure::rendered;
 use crate::app::judge::{Judge, JudgeError, Look, Plan, SECONDS, UNCHANGED, WITHIN, marked, standing};
 use crate::app::output;
 use crate::gpu::Gpu;
-use crate::scene::{self, SceneDescription};
+use crate::scene::SceneDescription;
 use crate::shader::Library;
 
 /// Between two lines about how far it is: each has the window drawn.
@@ -196,7 +196,7 @@ impl Session {
             return self.notify("nothing to judge yet: no edit has changed what is traced".to_owned());
         };
         let name = self.name().to_owned();
-        let scene = self.engine.edit(|world| scene::describe(world, &name));
+        let scene = self.engine.describe(&name);
         let sides = [old, self.shaders.clone()];
         self.judging = Some(Judging::start(self.gpu.clone(), sides, scene, self.wake()));
         self.draw_again();

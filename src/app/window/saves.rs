@@ -2,11 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-use super::cameras;
 use super::session::Session;
 use crate::app::failure::show;
 use crate::app::output;
-use crate::systems::reload::ReloadEvent;
+use crate::watch::ReloadEvent;
 
 impl Session {
     /// Takes up what the last step of the engine tells. Each failure goes to the terminal once, and stands over the picture
@@ -61,7 +60,7 @@ impl Session {
         if let Some(scene) = self.engine.saved_scene() {
             self.homes.clone_from(&scene.cameras);
         }
-        let view = self.engine.edit(cameras::view).map(|(_, view)| view);
+        let view = self.engine.camera().map(|(_, view)| view);
         if !self.view_moved && view != Some(self.view) {
             self.take_view(Instant::now());
         }

@@ -7,9 +7,9 @@ use glam::UVec2;
 use winit::event::WindowEvent;
 use winit::window::Window;
 
+use crate::engine::{Engine, EngineError};
 use crate::gpu::{Drawn, Fit, Gpu, GpuError, Paint, Surface};
 use crate::shader::Library;
-use crate::systems::{Engine, EngineError};
 
 /// A window's surface, and egui on it.
 pub struct Screen {

@@ -19,12 +19,11 @@ use super::screen::{Screen, physical_size};
 use crate::app::failure::show;
 use crate::app::scene::{Opened, SceneFlags};
 use crate::components::Camera;
+use crate::engine::{Engine, EngineError, Progress};
 use crate::gpu::{Gpu, GpuError};
 use crate::layout::film::FilmPixel;
-use crate::scene::{self, SceneDescription};
+use crate::scene::SceneDescription;
 use crate::shader::Library;
-use crate::systems::state::PackedScene;
-use crate::systems::{Engine, EngineError, Progress};
 
 /// What a session starts from.
 pub struct Opening {
@@ -124,7 +123,7 @@ impl Session {
             // Files may have come to be named since the scene was first read.
             engine.reload();
         }
-        let (_, view) = engine.edit(cameras::view).ok_or(EngineError::NoCamera)?;
+        let (_, view) = engine.camera().ok_or(EngineError::NoCamera)?;
         let most_pixels = gpu.limits.max_storage_buffer_binding_size / size_of::<FilmPixel>() as u64;
         let panel = Panel::new(features, gpu.is_software());
         let now = Instant::now();
@@ -169,7 +168,7 @@ impl Session {
         let view = self.view;
         self.engine.edit(|world| cameras::set_view(world, view));
         let name = self.name().to_owned();
-        let description = self.engine.edit(|world| scene::describe(world, &name));
+        let description = self.engine.describe(&name);
         let mut opened = self.opening.opened.clone();
         if let Some(saved) = self.engine.saved_scene() {
             opened.description = saved.clone();
@@ -221,7 +220,7 @@ impl Session {
 
     /// The scene's cameras are other ones: the view is that of the rendered one.
     pub(super) fn take_view(&mut self, now: Instant) {
-        if let Some((_, view)) = self.engine.edit(cameras::view) {
+        if let Some((_, view)) = self.engine.camera() {
             self.view = view;
             self.view_moved = false;
             self.flight = Flight::default();
@@ -232,10 +231,8 @@ impl Session {
 
     /// The largest extent of the scene; 1 for one without meshes.
     pub(super) fn scene_size(&mut self) -> f64 {
-        let size = self.engine.edit(|world| {
-            let scene = world.resource::<PackedScene>();
-            (scene.high - scene.low).length()
-        });
+        let (low, high) = self.engine.bounds();
+        let size = (high - low).length();
         if size.is_finite() && size > 0.0 { size } else { 1.0 }
     }
 

@@ -5,9 +5,9 @@ use std::path::Path;
 use super::navigate;
 use crate::app::report;
 use crate::components::Film;
+use crate::engine::FilmImage;
 use crate::image::{Kind, Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
-use crate::systems::FilmImage;
 
 /// Numbers that are tried for a name that is free.
 const MOST_NAMES: u32 = 100_000;

@@ -1,40 +1,49 @@
-//! Emitting triangles to the table by which they are asked directly.
+//! Emitting triangles to the table that light sampling draws from.
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{Integrator, Render};
-use crate::layout::light::LightTable;
+use super::Step;
+use crate::components::Integrator;
+use crate::gpu::GpuTable;
+use crate::layout::light::{LightRecord, LightTable};
 use crate::layout::trace::MaterialRecord;
-use crate::systems::state::{Dirty, MeshSlot, PackedScene, Pending};
+use crate::layout::tree::Triangle;
+use crate::systems::resources::{Everything, LightDensity, Policy};
+use crate::systems::run::counted;
 
-/// Makes the table anew where triangles, records or the integrator changed; sends it on if it is not what it was. A scene
-/// whose integrator asks no light directly has none.
-pub fn extract_changed_lights(
-    meshes: Query<&MeshSlot>,
-    renders: Query<Ref<Render>>,
-    mut scene: ResMut<PackedScene>,
-    mut pending: ResMut<Pending>,
-    mut dirty: ResMut<Dirty>,
+pub fn add_systems(schedule: &mut Schedule) {
+    let system = extract_lights.pipe(counted("extract_lights"));
+    schedule.add_systems(system.run_if(lights_changed).in_set(Step::Lights));
+}
+
+/// Triangles, records or the integrator changed.
+fn lights_changed(
+    everything: Res<Everything>,
+    triangles: Res<GpuTable<Triangle>>,
+    records: Res<GpuTable<MaterialRecord>>,
+    policy: Res<Policy>,
+) -> bool {
+    everything.0 || triangles.is_changed() || records.is_changed() || policy.is_changed()
+}
+
+/// Makes the table anew. A scene whose integrator samples no lights has none.
+fn extract_lights(
+    triangles: Res<GpuTable<Triangle>>,
+    records: Res<GpuTable<MaterialRecord>>,
+    policy: Res<Policy>,
+    mut lights: ResMut<GpuTable<LightRecord>>,
+    mut density: ResMut<LightDensity>,
 ) {
-    if scene.lights_sent && !dirty.tree && !dirty.film && !renders.iter().any(|render| render.is_changed()) {
-        return;
-    }
-    let asked = renders.iter().any(|render| render.integrator == Integrator::Path);
-    let emits = |record: &MaterialRecord| record.emission.max_element() > 0.0;
-    let table = match asked && scene.records.iter().any(emits) {
+    let emits: Vec<bool> = records.rows().iter().map(|record| record.emission.max_element() > 0.0).collect();
+    let table = match policy.integrator == Integrator::Path && emits.contains(&true) {
         true => {
-            let shining = |entity: &&Entity| {
-                meshes.get(**entity).is_ok_and(|slot| scene.records.get(slot.material as usize).is_some_and(emits))
-            };
-            let slots = scene.meshes.iter().filter(shining).filter_map(|entity| meshes.get(*entity).ok());
-            LightTable::new(slots.flat_map(|slot| slot.triangles(scene.origin)), &scene.records)
+            let shines = |triangle: &&Triangle| emits.get(triangle.material as usize).is_some_and(|emits| *emits);
+            LightTable::new(triangles.rows().iter().filter(shines).copied(), records.rows())
         }
         false => LightTable::default(),
     };
-    if !scene.lights_sent || table != scene.lights {
-        scene.lights_sent = true;
-        pending.lights = Some(table.lights.clone());
-        scene.lights = table;
-        dirty.film = true;
+    if !lights.holds(&table.lights) {
+        lights.set(table.lights);
     }
+    density.set_if_neq(LightDensity(table.density));
 }

@@ -2,54 +2,59 @@
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{Energy, Material, Name, Passage, Render, Specular};
+use super::Step;
+use crate::components::{Energy, Material, Name, Passage, Specular};
+use crate::gpu::GpuTable;
 use crate::layout::trace::{EnergyRule, MaterialRecord, Reflector};
-use crate::systems::state::{Dirty, PackedScene, Pending};
+use crate::systems::resources::{Everything, MaterialSlot, Policy};
+use crate::systems::run::counted;
 
-type Touched = Or<(Changed<Material>, Changed<Name>)>;
+type Touched = (With<Material>, Or<(Changed<Material>, Changed<Name>)>);
 
-/// Repacks all records where a material came, went, changed or was renamed, or the energy policy changed; sends on only
-/// those that are not what they were.
-#[expect(clippy::too_many_arguments, reason = "a system's arguments are what it reads and writes")]
-pub fn extract_changed_materials(
-    materials: Query<(Entity, &Name, &Material)>,
-    changed: Query<(), (With<Material>, Touched)>,
-    mut removed: RemovedComponents<Material>,
+pub fn add_systems(schedule: &mut Schedule) {
+    let system = extract_materials.pipe(counted("extract_materials"));
+    schedule.add_systems(system.run_if(materials_changed).in_set(Step::Materials));
+}
+
+/// A material came, went, changed or was renamed, or the energy policy changed.
+fn materials_changed(
+    everything: Res<Everything>,
+    touched: Query<(), Touched>,
+    mut gone: RemovedComponents<Material>,
     mut unnamed: RemovedComponents<Name>,
-    render: Query<Ref<Render>>,
-    mut scene: ResMut<PackedScene>,
-    mut pending: ResMut<Pending>,
-    mut dirty: ResMut<Dirty>,
+    policy: Res<Policy>,
+) -> bool {
+    let removed = gone.read().count() + unnamed.read().count() > 0;
+    everything.0 || removed || policy.is_changed() || !touched.is_empty()
+}
+
+/// Packs all records, and gives each material the slot that its name's place in the order says.
+fn extract_materials(
+    materials: Query<(Entity, &Name, &Material, Option<&MaterialSlot>)>,
+    stray: Query<Entity, (With<MaterialSlot>, Or<(Without<Material>, Without<Name>)>)>,
+    policy: Res<Policy>,
+    mut records: ResMut<GpuTable<MaterialRecord>>,
+    mut commands: Commands,
 ) {
-    let removed = removed.read().count() + unnamed.read().count() > 0;
-    if scene.sent && !removed && changed.is_empty() && !render.iter().any(|r| r.is_changed()) {
-        return;
+    for entity in &stray {
+        commands.entity(entity).remove::<MaterialSlot>();
     }
-    let rule = match render.iter().next().map(|r| r.energy).unwrap_or_default() {
+    let mut sorted: Vec<_> = materials.iter().collect();
+    sorted.sort_by(|a, b| (a.1.as_str(), a.0).cmp(&(b.1.as_str(), b.0)));
+    for ((entity, .., held), index) in sorted.iter().zip(0..) {
+        if *held != Some(&MaterialSlot(index)) {
+            commands.entity(*entity).insert(MaterialSlot(index));
+        }
+    }
+    let rule = match policy.energy {
         Energy::Preserve => EnergyRule::Preserve,
         Energy::AsWritten => EnergyRule::AsWritten,
     };
-    let mut sorted: Vec<_> = materials.iter().collect();
-    sorted.sort_by(|a, b| (a.1.as_str(), a.0).cmp(&(b.1.as_str(), b.0)));
-    let records: Vec<MaterialRecord> =
-        sorted.iter().map(|(_, _, m)| pack(m, rule)).chain([pack(&Material::default(), rule)]).collect();
-    let order: Vec<Entity> = sorted.iter().map(|(entity, ..)| *entity).collect();
-    if order != scene.materials {
-        scene.material_index = order.iter().zip(0..).map(|(entity, i)| (*entity, i)).collect();
-        scene.materials = order;
+    let packed = sorted.iter().map(|(_, _, material, _)| pack(material, rule));
+    let packed: Vec<MaterialRecord> = packed.chain([pack(&Material::default(), rule)]).collect();
+    if !records.holds(&packed) {
+        records.set(packed);
     }
-    if !scene.sent || records.len() != scene.records.len() {
-        pending.materials = vec![(0, records.clone())];
-        dirty.film = true;
-    } else {
-        for (i, record) in records.iter().enumerate() {
-            if *record != scene.records[i] {
-                pending.materials.push((i as u32, vec![*record]));
-                dirty.film = true;
-            }
-        }
-    }
-    scene.records = records;
 }
 
 fn pack(material: &Material, rule: EnergyRule) -> MaterialRecord {

@@ -5,82 +5,93 @@ use std::sync::Arc;
 use bevy_ecs::prelude::*;
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
+use super::Step;
 use crate::components::{Geometry, MeshData, Name, Transform, UsesMaterial};
+use crate::gpu::GpuTable;
 use crate::layout::trace::Shading;
 use crate::layout::tree::Triangle;
 use crate::passes::build::MOST_TRIANGLES;
-use crate::systems::EngineError;
-use crate::systems::state::{Dirty, MeshSlot, PackedScene, Pending};
+use crate::systems::error::EngineError;
+use crate::systems::resources::{Everything, MaterialSlot, MeshSlot, SceneGeometry};
+use crate::systems::run::counted;
 
 type Mesh<'a> = (Entity, &'a Name, &'a Geometry, Option<&'a Transform>, Option<&'a UsesMaterial>, Option<&'a MeshSlot>);
-type Touched = Or<(Changed<Geometry>, Changed<Transform>, Changed<UsesMaterial>, Changed<Name>)>;
+type Touched = (With<Geometry>, Or<(Changed<Geometry>, Changed<Transform>, Changed<UsesMaterial>, Changed<Name>)>);
 
-/// Finds the meshes that are not what their slots say, and flattens those; all of them where slots or the origin move, or
-/// the buffers have to grow, which then lose what they held.
-#[expect(clippy::too_many_arguments, reason = "a system's arguments are what it reads and writes")]
-pub fn extract_changed_meshes(
-    meshes: Query<Mesh>,
-    touched: Query<(), (With<Geometry>, Touched)>,
+pub fn add_systems(schedule: &mut Schedule) {
+    let system = extract_meshes.pipe(counted("extract_meshes"));
+    schedule.add_systems(system.run_if(meshes_changed).in_set(Step::Meshes));
+}
+
+/// A mesh came, went, changed or was renamed, or a material has another slot.
+#[expect(clippy::too_many_arguments, reason = "a condition's arguments are what it reads")]
+fn meshes_changed(
+    everything: Res<Everything>,
+    touched: Query<(), Touched>,
+    slots: Query<(), Changed<MaterialSlot>>,
     mut gone: RemovedComponents<Geometry>,
     mut unset: RemovedComponents<UsesMaterial>,
     mut unmoved: RemovedComponents<Transform>,
     mut unnamed: RemovedComponents<Name>,
+    mut unslotted: RemovedComponents<MaterialSlot>,
+) -> bool {
+    let removed = gone.read().count() + unset.read().count() + unmoved.read().count() + unnamed.read().count();
+    everything.0 || removed + unslotted.read().count() > 0 || !touched.is_empty() || !slots.is_empty()
+}
+
+/// Finds the meshes that are not what their slots say, and flattens those into the tables; all of them where the origin moves,
+/// the order changes, or normals come or go.
+fn extract_meshes(
+    meshes: Query<Mesh>,
+    materials: Query<&MaterialSlot>,
+    stray: Query<Entity, (With<MeshSlot>, Or<(Without<Geometry>, Without<Name>)>)>,
+    mut world: ResMut<SceneGeometry>,
+    mut triangles: ResMut<GpuTable<Triangle>>,
+    mut shading: ResMut<GpuTable<Shading>>,
     mut commands: Commands,
-    mut scene: ResMut<PackedScene>,
-    mut pending: ResMut<Pending>,
-    mut dirty: ResMut<Dirty>,
 ) -> Result<(), EngineError> {
-    let gone: Vec<Entity> = gone.read().collect();
-    let removed = !gone.is_empty() || unset.read().count() + unmoved.read().count() + unnamed.read().count() > 0;
-    if scene.sent && touched.is_empty() && !removed && !scene.is_changed() {
-        return Ok(());
-    }
-    for entity in gone {
-        if let Ok(mut entity) = commands.get_entity(entity) {
-            entity.try_remove::<MeshSlot>();
-        }
+    for entity in &stray {
+        commands.entity(entity).remove::<MeshSlot>();
     }
     let mut sorted: Vec<_> = meshes.iter().collect();
     sorted.sort_by(|a, b| (a.1.as_str(), a.0).cmp(&(b.1.as_str(), b.0)));
-    let slots = plan_slots(&sorted, &scene)?;
+    let slots = plan_slots(&sorted, &materials)?;
     let (low, high) = scene_box(&slots);
-    let origin = choose_origin(low, high);
-    let order: Vec<Entity> = sorted.iter().map(|mesh| mesh.0).collect();
-    let normals = slots.iter().any(|slot| !slot.geometry.normal_triangles.is_empty());
-    let triangles = slots.last().map_or(0, |slot| slot.first + slot.count);
-    let moved = order != scene.meshes || origin != scene.origin || normals != scene.normals;
-    let all = !scene.sent || moved || triangles > scene.triangles;
-    let mut changed = all;
-    for ((entity, .., old), slot) in sorted.iter().zip(slots.iter()) {
-        if !all && old.is_some_and(|old| same(old, slot)) {
-            continue;
+    let now = SceneGeometry {
+        meshes: sorted.iter().map(|mesh| mesh.0).collect(),
+        origin: choose_origin(low, high),
+        low,
+        high,
+        normals: slots.iter().any(|slot| !slot.geometry.normal_triangles.is_empty()),
+    };
+    let kept = (&now.meshes, now.origin, now.normals) == (&world.meshes, world.origin, world.normals);
+    let count = slots.last().map_or(0, |slot| slot.first + slot.count) as usize;
+    let stale: Vec<usize> =
+        (0..slots.len()).filter(|i| !kept || !sorted[*i].5.is_some_and(|held| held.same(&slots[*i]))).collect();
+    if stale.is_empty() && kept && count == triangles.len() {
+        return Ok(());
+    }
+    triangles.resize(count);
+    let with_normals = if now.normals { count } else { 0 };
+    if shading.len() != with_normals {
+        shading.resize(with_normals);
+    }
+    for i in stale {
+        let slot = &slots[i];
+        triangles.write(slot.first as usize, slot.triangles(now.origin));
+        if now.normals {
+            shading.write(slot.first as usize, slot.shading());
         }
-        changed = true;
-        flatten(slot, origin, normals, &mut pending);
-        commands.entity(*entity).insert(slot.clone());
+        commands.entity(sorted[i].0).insert(slot.clone());
     }
-    if changed {
-        scene.sent = true;
-        scene.triangles = triangles;
-        scene.meshes = order;
-        scene.origin = origin;
-        (scene.low, scene.high) = (low, high);
-        scene.normals = normals;
-        dirty.tree = true;
-        dirty.film = true;
-    }
+    *world = now;
     Ok(())
 }
 
-fn same(old: &MeshSlot, new: &MeshSlot) -> bool {
-    (old.first, old.count, old.material, old.transform) == (new.first, new.count, new.material, new.transform)
-        && Arc::ptr_eq(&old.geometry, &new.geometry)
-}
-
 /// Where each mesh goes, and what it is made from. `sorted` is by name.
-fn plan_slots(sorted: &[Mesh], scene: &PackedScene) -> Result<Vec<MeshSlot>, EngineError> {
+fn plan_slots(sorted: &[Mesh], materials: &Query<&MaterialSlot>) -> Result<Vec<MeshSlot>, EngineError> {
     let mut first: u64 = 0;
-    let default = scene.materials.len() as u32;
+    let default = materials.iter().count() as u32;
     let mut slots = Vec::with_capacity(sorted.len());
     for (_, _, geometry, transform, material, old) in sorted {
         let transform = transform.copied().unwrap_or_default();
@@ -90,7 +101,7 @@ fn plan_slots(sorted: &[Mesh], scene: &PackedScene) -> Result<Vec<MeshSlot>, Eng
             None => world_box(&geometry.0, &transform.0),
         };
         let count = geometry.0.triangles.len() as u64;
-        let material = material.and_then(|m| scene.material_index.get(&m.0).copied()).unwrap_or(default);
+        let material = material.and_then(|uses| materials.get(uses.0).ok()).map_or(default, |slot| slot.0);
         slots.push(MeshSlot {
             first: first.min(u64::from(u32::MAX)) as u32,
             count: count.min(u64::from(u32::MAX)) as u32,
@@ -136,16 +147,8 @@ fn choose_origin(low: DVec3, high: DVec3) -> DVec3 {
 }
 
 impl MeshSlot {
-    /// The centre of the box of one of the mesh's triangles, relative to the scene's origin.
-    pub fn centre(&self, triangle: u32, origin: DVec3) -> Vec3 {
-        let corners = self.geometry.triangles[triangle as usize]
-            .map(|i| (self.transform.0.transform_point3(self.geometry.positions[i as usize]) - origin).as_vec3());
-        let [a, b, c] = corners;
-        (a.min(b).min(c) + a.max(b).max(c)) * 0.5
-    }
-
     /// The mesh's triangles, relative to the scene's origin: f64 until the last step.
-    pub fn triangles(&self, origin: DVec3) -> impl Iterator<Item = Triangle> {
+    fn triangles(&self, origin: DVec3) -> impl Iterator<Item = Triangle> {
         let mesh = &*self.geometry;
         let place = move |i: u32| (self.transform.0.transform_point3(mesh.positions[i as usize]) - origin).as_vec3();
         mesh.triangles.iter().zip(self.first..).map(move |(corners, index)| {
@@ -153,20 +156,15 @@ impl MeshSlot {
             Triangle { a, index, b, material: self.material, c, flags: 0 }
         })
     }
-}
 
-/// Appends a mesh's triangles, and its corner normals if any mesh has some, to what is to be uploaded.
-fn flatten(slot: &MeshSlot, origin: DVec3, normals: bool, pending: &mut Pending) {
-    pending.triangles.push((slot.first, slot.triangles(origin).collect()));
-    if !normals {
-        return;
+    /// The corner normals of the mesh's triangles, in world space.
+    fn shading(&self) -> Vec<Shading> {
+        let mesh = &*self.geometry;
+        let turn: DMat3 = self.transform.0.matrix3.inverse().transpose();
+        let bend = |i: u32| (turn * mesh.normals[i as usize].as_dvec3()).normalize_or_zero().as_vec3();
+        match mesh.normal_triangles.as_slice() {
+            [] => vec![Shading::pack([Vec3::ZERO; 3]); mesh.triangles.len()],
+            corners => corners.iter().map(|c| Shading::pack(c.map(bend))).collect(),
+        }
     }
-    let mesh = &*slot.geometry;
-    let turn: DMat3 = slot.transform.0.matrix3.inverse().transpose();
-    let bend = |i: u32| (turn * mesh.normals[i as usize].as_dvec3()).normalize_or_zero().as_vec3();
-    let shading = match mesh.normal_triangles.as_slice() {
-        [] => vec![Shading::pack([Vec3::ZERO; 3]); mesh.triangles.len()],
-        corners => corners.iter().map(|c| Shading::pack(c.map(bend))).collect(),
-    };
-    pending.shading.push((slot.first, shading));
 }

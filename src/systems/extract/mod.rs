@@ -1,27 +1,50 @@
-//! Components to packed arrays: what changed, by change detection, and whether it changed anything.
+//! Components to tables and parameters: each system runs where change detection says that it has something to do, and
+//! compares, so that an edit that changes nothing changes no table.
 
+mod film;
 mod lights;
 mod materials;
 mod meshes;
+mod settings;
 mod shot;
 mod sky;
 
 use bevy_ecs::prelude::*;
 
 use super::Phase;
-use super::state::{keep_fault, no_fault};
+use super::error::no_fault;
+use super::resources::Everything;
 
 pub fn add_systems(schedule: &mut Schedule) {
-    schedule.add_systems(
-        (
-            materials::extract_changed_materials,
-            meshes::extract_changed_meshes.pipe(keep_fault),
-            lights::extract_changed_lights,
-            sky::extract_changed_sky,
-            shot::extract_changed_shot.pipe(keep_fault),
-        )
+    settings::add_systems(schedule);
+    materials::add_systems(schedule);
+    meshes::add_systems(schedule);
+    lights::add_systems(schedule);
+    sky::add_systems(schedule);
+    shot::add_systems(schedule);
+    film::add_systems(schedule);
+    schedule.configure_sets(
+        (Step::Settings, Step::Materials, Step::Meshes, Step::Lights, Step::Sky, Step::Shot, Step::Film)
             .chain()
-            .in_set(Phase::Extract)
-            .run_if(no_fault),
+            .in_set(Phase::Extract),
     );
+    let extracted = |mut everything: ResMut<Everything>| everything.0 = false;
+    schedule.add_systems(extracted.after(Phase::Extract).before(Phase::Upload).run_if(no_fault).run_if(everything));
+}
+
+/// The order within the phase: each reads what those before it made.
+#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Step {
+    Settings,
+    Materials,
+    Meshes,
+    Lights,
+    Sky,
+    Shot,
+    Film,
+}
+
+/// Run condition: everything is to be extracted again.
+fn everything(everything: Res<Everything>) -> bool {
+    everything.0
 }

@@ -1,84 +1,162 @@
 //! Camera, film, settings and environment to the parameters of the trace kernel.
 
 use bevy_ecs::prelude::*;
-use glam::{UVec2, Vec3};
+use glam::Vec3;
 
-use crate::components::{Active, Camera, Environment, Film, Integrator, Name, Render, Sampler};
+use super::Step;
+use crate::components::{
+    Active, Camera, CameraItem, Environment, EnvironmentItem, Film, Integrator, Name, Render, Sampler, rendered_camera,
+    rendered_environment,
+};
+use crate::gpu::GpuTable;
 use crate::layout::film::film_exponent;
-use crate::layout::trace::TraceParams;
-use crate::layout::tree::root;
+use crate::layout::light::LightRecord;
+use crate::layout::trace::{MaterialRecord, TraceParams};
+use crate::layout::tree::{Triangle, root};
 use crate::passes::trace::{Lighting, Needs, View, largest_emission};
-use crate::systems::EngineError;
-use crate::systems::state::{Dirty, FilmProgress, PackedScene};
+use crate::systems::error::EngineError;
+use crate::systems::resources::{Everything, Exposure, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target};
+use crate::systems::run::counted;
+
+type TouchedCamera = (With<Camera>, Or<(Changed<Camera>, Changed<Name>, Changed<Active>)>);
+type TouchedFilm = Or<(Changed<Film>, Changed<Render>)>;
+type TouchedEnvironment = (With<Environment>, Or<(Changed<Environment>, Changed<Name>)>);
+
+pub fn add_systems(schedule: &mut Schedule) {
+    let system = extract_shot.pipe(counted("extract_shot"));
+    schedule.add_systems(system.run_if(entities_changed.or_eager(scene_changed)).in_set(Step::Shot));
+}
+
+/// A camera, the film or its settings, or the environment came, went or changed.
+#[expect(clippy::too_many_arguments, reason = "a condition's arguments are what it reads")]
+fn entities_changed(
+    everything: Res<Everything>,
+    cameras: Query<(), TouchedCamera>,
+    films: Query<(), TouchedFilm>,
+    environments: Query<(), TouchedEnvironment>,
+    mut gone: RemovedComponents<Camera>,
+    mut inactive: RemovedComponents<Active>,
+    mut unnamed: RemovedComponents<Name>,
+    mut dark: RemovedComponents<Environment>,
+    mut lost: RemovedComponents<Film>,
+    mut unset: RemovedComponents<Render>,
+) -> bool {
+    let cameras_gone = gone.read().count() + inactive.read().count() + unnamed.read().count();
+    let others_gone = dark.read().count() + lost.read().count() + unset.read().count();
+    everything.0
+        || cameras_gone + others_gone > 0
+        || !cameras.is_empty()
+        || !films.is_empty()
+        || !environments.is_empty()
+}
+
+/// What the scene comes to changed.
+fn scene_changed(
+    geometry: Res<SceneGeometry>,
+    triangles: Res<GpuTable<Triangle>>,
+    records: Res<GpuTable<MaterialRecord>>,
+    lights: Res<GpuTable<LightRecord>>,
+    density: Res<LightDensity>,
+    sky: Res<Sky>,
+) -> bool {
+    geometry.is_changed()
+        || triangles.is_changed()
+        || records.is_changed()
+        || lights.is_changed()
+        || density.is_changed()
+        || sky.is_changed()
+}
+
+/// What the kernel is to know of the scene, as the systems before made it.
+#[derive(bevy_ecs::system::SystemParam)]
+struct Packed<'w> {
+    geometry: Res<'w, SceneGeometry>,
+    triangles: Res<'w, GpuTable<Triangle>>,
+    records: Res<'w, GpuTable<MaterialRecord>>,
+    lights: Res<'w, GpuTable<LightRecord>>,
+    density: Res<'w, LightDensity>,
+    sky: Res<'w, Sky>,
+}
+
+/// What comes of it.
+#[derive(bevy_ecs::system::SystemParam)]
+struct Extracted<'w> {
+    shot: ResMut<'w, Shot>,
+    exposure: ResMut<'w, Exposure>,
+    target: ResMut<'w, Target>,
+}
 
 /// Works the shot out anew, and compares it with the last: whatever is another number starts the film anew.
-pub fn extract_changed_shot(
-    cameras: Query<(Entity, &Name, &Camera, Has<Active>)>,
-    films: Query<(&Film, &Render)>,
-    environments: Query<(&Name, &Environment)>,
-    mut scene: ResMut<PackedScene>,
-    mut dirty: ResMut<Dirty>,
-    progress: Res<FilmProgress>,
+fn extract_shot(
+    cameras: Query<CameraItem>,
+    mut films: Query<(&Film, &Render, &mut FilmProgress)>,
+    environments: Query<EnvironmentItem>,
+    packed: Packed,
+    mut extracted: Extracted,
 ) -> Result<(), EngineError> {
-    let (film, render) = films.iter().next().ok_or(EngineError::NoFilm)?;
-    let by_name = |a: &(Entity, &Name, &Camera, bool)| (!a.3, a.1.as_str().to_owned(), a.0);
-    let (.., camera, _) = cameras.iter().min_by_key(by_name).ok_or(EngineError::NoCamera)?;
-    let environment = match environments.iter().min_by_key(|e| e.0.as_str()) {
-        Some((_, Environment::Constant(radiance))) => *radiance,
-        Some((_, Environment::Map { .. })) | None => Vec3::ZERO,
+    let (film, render, mut progress) = films.iter_mut().next().ok_or(EngineError::NoFilm)?;
+    let (_, _, camera) = rendered_camera(&cameras).ok_or(EngineError::NoCamera)?;
+    let environment = match rendered_environment(&environments) {
+        Some(Environment::Constant(radiance)) => *radiance,
+        Some(Environment::Map { .. }) | None => Vec3::ZERO,
     };
+    let shot = shoot(camera, film, render, environment, &packed)?;
+    if !shot.same(&extracted.shot) {
+        *extracted.shot = shot;
+    }
+    let target = render.spp.max(1);
+    if target < progress.samples + u32::from(progress.rows > 0) {
+        progress.restart();
+    }
+    extracted.target.set_if_neq(Target(target));
+    if film.exposure.to_bits() != extracted.exposure.0.to_bits() {
+        extracted.exposure.0 = film.exposure;
+    }
+    Ok(())
+}
+
+fn shoot(
+    camera: &Camera,
+    film: &Film,
+    render: &Render,
+    environment: Vec3,
+    packed: &Packed,
+) -> Result<Shot, EngineError> {
     let window = film.window();
     if window.min.cmpge(window.max).any() || window.max.cmpgt(film.size).any() {
         return Err(EngineError::EmptyFilm);
     }
-    let sky = scene.sky.as_ref();
-    let brightest = environment.max(Vec3::splat(sky.map_or(0.0, |sky| sky.brightest)));
-    let exponent = film_exponent(largest_emission(&scene.records, brightest));
-    let mut shot = TraceParams {
+    let (sky, geometry) = (&packed.sky, &packed.geometry);
+    let brightest = environment.max(Vec3::splat(sky.brightest));
+    let exponent = film_exponent(largest_emission(packed.records.rows(), brightest));
+    let mut params = TraceParams {
         environment,
         seed: render.seed,
         max_depth: render.max_depth.max(1),
-        root: root(scene.triangles),
+        root: root(packed.triangles.len() as u32),
         ..Default::default()
     };
     let view = View { position: camera.position, look_at: camera.look_at, up: camera.up, fov_y: camera.fov_y };
-    shot.aim(&view, film.size, scene.origin);
-    shot.crop(window.min, window.max);
-    shot.fit_film(exponent);
-    let asked = render.integrator == Integrator::Path;
+    params.aim(&view, film.size, geometry.origin);
+    params.crop(window.min, window.max);
+    params.fit_film(exponent);
     let lighting = Lighting {
-        lights: scene.lights.lights.len() as u32,
-        light_density: scene.lights.density,
-        sky: sky.map_or(UVec2::ZERO, |sky| sky.size),
-        sky_power: sky.filter(|_| asked).map_or(0.0, |sky| sky.power),
+        lights: packed.lights.len() as u32,
+        light_density: packed.density.0,
+        sky: sky.size,
+        sky_power: if render.integrator == Integrator::Path { sky.power } else { 0.0 },
     };
-    shot.light(&lighting, 0.5 * (scene.high - scene.low).length());
+    params.light(&lighting, 0.5 * (geometry.high - geometry.low).length());
     let needs = Needs {
-        materials: &scene.records,
+        materials: packed.records.rows(),
         environment,
-        sky: sky.is_some(),
+        sky: sky.source.is_some(),
         sky_light: lighting.sky_power > 0.0,
         lights: lighting.lights > 0,
-        normals: scene.normals,
+        normals: geometry.normals,
         roulette: render.roulette,
         sobol: render.sampler == Sampler::Sobol,
     };
-    let needs = needs.features();
-    let fewer = render.spp.max(1) < progress.samples + u32::from(progress.rows > 0);
-    // By their bits: a NaN differs from itself, and would start the film anew for ever.
-    let same = bytemuck::bytes_of(&shot) == bytemuck::bytes_of(&scene.shot);
-    if !same || exponent != scene.exponent || !needs.iter().eq(scene.features.iter()) || fewer {
-        scene.features = needs.into_iter().map(str::to_owned).collect();
-        scene.shot = shot;
-        scene.exponent = exponent;
-        dirty.film = true;
-    }
-    if film.exposure.to_bits() != scene.exposure.to_bits() {
-        scene.exposure = film.exposure;
-        dirty.picture = true;
-    }
-    if scene.target != render.spp.max(1) {
-        scene.target = render.spp.max(1);
-    }
-    Ok(())
+    let features = needs.features().into_iter().map(str::to_owned).collect();
+    Ok(Shot { params, exponent, features })
 }

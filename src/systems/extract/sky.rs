@@ -4,38 +4,58 @@ use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{Environment, Name};
+use super::Step;
+use crate::components::{Environment, EnvironmentItem, EnvironmentMap, Name, rendered_environment};
+use crate::gpu::GpuTable;
+use crate::layout::alias::AliasColumn;
 use crate::layout::sky::SkyTable;
-use crate::systems::state::{Dirty, PackedScene, Pending, Sky};
+use crate::systems::resources::{Everything, Sky, SkyCell};
+use crate::systems::run::counted;
+
+type Touched = (With<Environment>, Or<(Changed<Environment>, Changed<Name>)>);
+
+pub fn add_systems(schedule: &mut Schedule) {
+    let system = extract_sky.pipe(counted("extract_sky"));
+    schedule.add_systems(system.run_if(environment_changed).in_set(Step::Sky));
+}
+
+/// An environment came, went, changed or was renamed.
+pub fn environment_changed(
+    everything: Res<Everything>,
+    touched: Query<(), Touched>,
+    mut gone: RemovedComponents<Environment>,
+    mut unnamed: RemovedComponents<Name>,
+) -> bool {
+    let removed = gone.read().count() + unnamed.read().count() > 0;
+    everything.0 || removed || !touched.is_empty()
+}
 
 /// Packs the environment's picture where it is another one, or of another strength.
-pub fn extract_changed_sky(
-    environments: Query<(&Name, &Environment)>,
-    mut scene: ResMut<PackedScene>,
-    mut pending: ResMut<Pending>,
-    mut dirty: ResMut<Dirty>,
+fn extract_sky(
+    environments: Query<EnvironmentItem>,
+    mut sky: ResMut<Sky>,
+    mut cells: ResMut<GpuTable<SkyCell>>,
+    mut columns: ResMut<GpuTable<AliasColumn>>,
 ) {
-    let first = environments.iter().min_by_key(|environment| environment.0.as_str());
-    let Some((_, Environment::Map { image, strength })) = first else {
-        if scene.sky.is_some() {
-            scene.sky = None;
-            dirty.film = true;
+    let Some(Environment::Map { image, strength }) = rendered_environment(&environments) else {
+        if sky.source.is_some() {
+            *sky = Sky::default();
+            cells.set(Vec::new());
+            columns.set(Vec::new());
         }
         return;
     };
-    let same = |sky: &Sky| Arc::ptr_eq(&sky.image, image) && sky.strength.to_bits() == strength.to_bits();
-    if scene.sky_sent && scene.sky.as_ref().is_some_and(same) {
+    let same = |(held, by): &(Arc<EnvironmentMap>, f32)| Arc::ptr_eq(held, image) && by.to_bits() == strength.to_bits();
+    if sky.source.as_ref().is_some_and(same) {
         return;
     }
     let table = SkyTable::new(image.size, &image.pixels, *strength);
-    scene.sky = Some(Sky {
-        image: image.clone(),
-        strength: *strength,
+    cells.set(table.cells.into_iter().map(SkyCell).collect());
+    columns.set(table.columns);
+    *sky = Sky {
+        source: Some((image.clone(), *strength)),
         size: table.size,
         power: table.power,
         brightest: table.brightest,
-    });
-    scene.sky_sent = true;
-    pending.sky = Some(table);
-    dirty.film = true;
+    };
 }

@@ -14,7 +14,7 @@ use std::time::Instant;
 
 use glam::UVec2;
 
-use crate::systems::{Engine, EngineError};
+use crate::engine::{Engine, EngineError};
 
 use watch::Watch;
 
@@ -85,8 +85,8 @@ impl Panel {
                 section(ui, "Progress", true, |ui| progress::show(ui, &self.watch));
                 section(ui, "Pixel", true, |ui| pixel::show(ui, self.watch.pixel.as_ref()));
                 section(ui, "View", true, |ui| outcome.edited |= settings::view(ui, engine));
+                section(ui, "Camera", true, |ui| outcome.camera = settings::cameras(ui, engine));
                 engine.edit(|world| {
-                    section(ui, "Camera", true, |ui| outcome.camera = settings::cameras(ui, world));
                     section(ui, "Settings", true, |ui| outcome.edited |= settings::show(ui, world));
                     let seen = self.watch.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
                     section(ui, "Materials", false, |ui| outcome.moved |= materials::show(ui, world, seen));

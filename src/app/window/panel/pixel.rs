@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use crate::systems::inspect::Inspected;
+use crate::engine::Inspected;
 
 /// Its linear values, and what is seen there.
 pub fn show(ui: &mut Ui, pixel: Option<&Inspected>) {

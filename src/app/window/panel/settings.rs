@@ -5,15 +5,15 @@ use egui::{DragValue, Slider, Ui};
 
 use crate::app::window::cameras;
 use crate::components::{Energy, Film, Integrator, Render, Sampler};
+use crate::engine::Engine;
 use crate::layout::view::ViewMode;
-use crate::systems::Engine;
 
 /// The scene's cameras by name. Returns the one that was clicked.
-pub fn cameras(ui: &mut Ui, world: &mut World) -> Option<String> {
-    let rendered = cameras::view(world).map(|(name, _)| name);
+pub fn cameras(ui: &mut Ui, engine: &Engine) -> Option<String> {
+    let rendered = engine.camera().map(|(name, _)| name);
     let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
-        for name in cameras::all(world).into_keys() {
+        for name in engine.read(cameras::all).into_keys() {
             let is_rendered = rendered.as_ref() == Some(&name);
             if ui.selectable_label(is_rendered, &name).clicked() {
                 chosen = Some(name);

@@ -5,10 +5,9 @@ use std::time::{Duration, Instant};
 
 use glam::UVec2;
 
+use crate::engine::Inspected;
+use crate::engine::{Engine, EngineError, Report};
 use crate::gpu::PassTiming;
-use crate::systems::inspect::{Inspected, inspect};
-use crate::systems::state::{FilmProgress, PackedScene, Spent};
-use crate::systems::{Engine, EngineError, Report};
 
 /// Time between two looks at the film, at least.
 const FILM: Duration = Duration::from_secs(1);
@@ -119,7 +118,7 @@ impl Watch {
         if one {
             self.pixel_look = Some((now, pixel, stamp));
             self.pixel = match pixel {
-                Some(pixel) => engine.edit(|world| inspect(world, pixel))?,
+                Some(pixel) => engine.inspect(pixel)?,
                 None => None,
             };
         }
@@ -132,10 +131,8 @@ impl Watch {
         // Noted first: what fails is not tried again at once.
         let last = self.film_look.replace((now, stamp));
         let report = engine.report()?;
-        (self.spp, self.target, self.needed) = engine.edit(|world| {
-            let scene = world.resource::<PackedScene>();
-            (world.resource::<FilmProgress>().samples, scene.target, scene.features.iter().cloned().collect())
-        });
+        (self.spp, self.target) = engine.samples();
+        self.needed = engine.features().iter().cloned().collect();
         if last.is_none_or(|(_, (last, _))| last != began) {
             self.curve.clear();
         }
@@ -191,5 +188,5 @@ impl Watch {
 }
 
 fn stamp(engine: &mut Engine, began: Instant) -> Stamp {
-    (began, engine.edit(|world| world.resource::<Spent>().samples))
+    (began, engine.spent().samples)
 }

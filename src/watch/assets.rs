@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::event::problems_of;
-use super::worker::Look;
+use super::message::Look;
 use crate::files::{self, Stamp};
 use crate::scene::{self, Loaded, SceneDescription};
 

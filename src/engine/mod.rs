@@ -1,47 +1,30 @@
-//! The engine: the only door for command line and tests.
+//! The engine: the only door for command line and tests. A scene is opened, edited, read, stepped and shown.
 
-use std::collections::BTreeMap;
+mod film;
+mod inspect;
+mod report;
+
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::time::Duration;
 
 use bevy_ecs::prelude::*;
+use glam::{DVec3, UVec2};
 
-use super::compiling::CompileListener;
-use super::governor::Governor;
-use super::present;
-use super::reload::{self, Problem, Reload, ReloadEvent, Sources, WatchError};
-use super::report::{self, FilmImage, Report};
-use super::schedule;
-use super::state::{
-    Batch, Budget, Device, Dirty, Fault, FilmProgress, Frame, Live, PackedScene, Pending, Spent, TreeBuilder, Viewed,
-};
-use crate::gpu::{Drawn, Fit, Gpu, GpuError, Paint, Runtime, Surface};
+pub use crate::systems::EngineError;
+pub use crate::systems::resources::{Spent, TreeBuilder};
+pub use film::FilmImage;
+pub use inspect::{Inspected, Seen};
+pub use report::Report;
+
+use crate::components::{self, Camera, Film, Render};
+use crate::gpu::{Drawn, Fit, Gpu, Paint, Runtime, Shown, Surface};
 use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
-
-/// Why the engine cannot go on. It keeps the film it has; the next `step` tries again.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-pub enum EngineError {
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Gpu(#[from] GpuError),
-
-    #[error("the scene has no camera")]
-    #[diagnostic(help("add one under `cameras` in the scene file"))]
-    NoCamera,
-
-    #[error("the scene has no film")]
-    NoFilm,
-
-    #[error("the film's window is empty, or outside the film")]
-    #[diagnostic(help("a crop is X0,X1,Y0,Y1 in pixels, with X0 < X1 and Y0 < Y1 within the size"))]
-    EmptyFilm,
-
-    #[error("the scene has {count} triangles; {most} are the most")]
-    #[diagnostic(help("use a coarser model"))]
-    TooManyTriangles { count: u64, most: u32 },
-}
+use crate::systems::resources::{Budget, CompileListener, Device, Frame, Live, SceneGeometry, Shot, Target, Viewed};
+use crate::systems::{self, Entered, Fault, Reload};
+use crate::watch::{Problem, ReloadEvent, Sources, WatchError};
 
 /// How far the film is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,13 +41,6 @@ pub struct Progress {
     pub finished: bool,
 }
 
-/// Has everything sent and traced anew: what was packed may not have been sent, nor what was recorded have run.
-pub(super) fn start_again(world: &mut World) {
-    *world.resource_mut::<Pending>() = Pending::default();
-    world.resource_mut::<PackedScene>().send_again();
-    world.resource_mut::<Dirty>().film = true;
-}
-
 /// A world of entities, the schedule that runs on it, and the device it runs on.
 pub struct Engine {
     world: World,
@@ -75,30 +51,76 @@ impl Engine {
     /// Opens a scene. Nothing is traced yet.
     pub fn open(gpu: Arc<Gpu>, library: Library, description: &SceneDescription) -> Result<Engine, EngineError> {
         let mut world = World::new();
+        systems::insert_resources(&mut world);
         world.insert_resource(TreeBuilder::of(&gpu));
         world.insert_resource(Device(Runtime::new(gpu, library)));
-        world.init_resource::<CompileListener>();
         world.insert_resource(Budget(Duration::from_millis(100)));
-        world.init_resource::<Fault>();
-        world.init_resource::<PackedScene>();
-        world.init_resource::<Pending>();
-        world.init_resource::<Dirty>();
-        world.init_resource::<FilmProgress>();
-        world.init_resource::<Batch>();
-        world.init_resource::<Frame>();
-        world.init_resource::<Spent>();
-        world.init_resource::<Live>();
-        world.init_resource::<Viewed>();
-        world.init_resource::<Governor>();
-        // A film that was never reset is of size zero.
-        world.resource_mut::<Dirty>().film = true;
         scene::apply(&mut world, description);
-        Ok(Engine { world, schedule: schedule() })
+        Ok(Engine { world, schedule: systems::schedule() })
     }
 
-    /// Changes the world; the next step finds out what that changed.
+    /// Changes the scene; the next step finds out what that changed.
     pub fn edit<R>(&mut self, change: impl FnOnce(&mut World) -> R) -> R {
         change(&mut self.world)
+    }
+
+    /// Reads the scene.
+    pub fn read<R>(&self, read: impl FnOnce(&World) -> R) -> R {
+        read(&self.world)
+    }
+
+    /// The scene as it is now, edits included.
+    pub fn describe(&self, name: &str) -> SceneDescription {
+        scene::describe(&self.world, name)
+    }
+
+    /// Name and view of the camera that is rendered.
+    pub fn camera(&self) -> Option<(String, Camera)> {
+        let mut cameras = self.world.try_query::<components::CameraItem>()?;
+        let (_, name, camera) = components::rendered_camera(cameras.iter(&self.world))?;
+        Some((name.as_str().to_owned(), *camera))
+    }
+
+    /// The film and its settings.
+    pub fn settings(&self) -> Option<(Film, Render)> {
+        let mut films = self.world.try_query::<(&Film, &Render)>()?;
+        films.iter(&self.world).next().map(|(film, render)| (*film, *render))
+    }
+
+    /// World space box of all meshes as they were last extracted, scene units; low above high without any.
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        let geometry = self.world.resource::<SceneGeometry>();
+        (geometry.low, geometry.high)
+    }
+
+    /// Pixels of the rendered window, as it was last extracted.
+    pub fn window_size(&self) -> UVec2 {
+        self.world.resource::<Shot>().size()
+    }
+
+    /// Shader features that the scene needs, as it was last extracted.
+    pub fn features(&self) -> &BTreeSet<String> {
+        &self.world.resource::<Shot>().features
+    }
+
+    /// Seconds and samples since the engine opened.
+    pub fn spent(&self) -> Spent {
+        *self.world.resource::<Spent>()
+    }
+
+    /// Samples that every pixel has, and how many it is to have.
+    pub fn samples(&self) -> (u32, u32) {
+        (film::progress(&self.world).samples, self.world.resource::<Target>().0)
+    }
+
+    /// Has the film start anew in the next step.
+    pub fn restart_film(&mut self) {
+        systems::restart_film(&mut self.world);
+    }
+
+    /// What one pixel of the picture holds and sees; none if there is no such pixel, or nothing was traced yet.
+    pub fn inspect(&mut self, pixel: UVec2) -> Result<Option<Inspected>, EngineError> {
+        inspect::inspect(&mut self.world, pixel)
     }
 
     /// Times every pass from now on, where the device can.
@@ -133,8 +155,11 @@ impl Engine {
 
     /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.
     pub fn draw(&self, surface: &mut Surface, fit: Fit, paint: Paint) -> Result<Drawn, EngineError> {
-        let shown = present::shown(self.world.resource(), self.world.resource());
-        Ok(surface.draw(&self.world.resource::<Device>().0, shown, fit, paint)?)
+        let (size, progress) = (self.window_size(), film::progress(&self.world));
+        // All of a view; of the film, the rows that have a sample.
+        let is_view = progress.shown.is_some_and(|mode| mode != ViewMode::Beauty);
+        let rows = if is_view { size.y } else { progress.rows_traced(size.y) };
+        Ok(surface.draw(&self.world.resource::<Device>().0, Shown { size, rows }, fit, paint)?)
     }
 
     /// Runs the schedule once: takes up changes, and adds samples for about `budget`.
@@ -146,16 +171,15 @@ impl Engine {
         self.schedule.run(&mut self.world);
         self.world.clear_trackers();
         if let Some(error) = self.world.resource_mut::<Fault>().0.take() {
-            reload::go_back(&mut self.world, error).inspect_err(|_| start_again(&mut self.world))?;
+            systems::go_back(&mut self.world, error).inspect_err(|_| systems::start_again(&mut self.world))?;
         }
-        let progress = *self.world.resource::<FilmProgress>();
-        let target = self.world.resource::<PackedScene>().target;
+        let (spp, target) = self.samples();
         Ok(Progress {
-            spp: progress.samples,
+            spp,
             target,
             samples: self.world.resource::<Spent>().samples - samples,
             dispatches: self.dispatches().values().sum::<u64>() - before,
-            finished: progress.samples >= target,
+            finished: spp >= target,
         })
     }
 
@@ -205,14 +229,24 @@ impl Engine {
         self.world.resource::<Device>().0.dispatches()
     }
 
+    /// Bytes sent to each buffer since the engine opened; `params` are the parameters of dispatches.
+    pub fn uploads(&self) -> &BTreeMap<&'static str, u64> {
+        self.world.resource::<Device>().0.uploads()
+    }
+
+    /// How often each system was entered since the engine opened.
+    pub fn entered(&self) -> &BTreeMap<&'static str, u64> {
+        &self.world.resource::<Entered>().0
+    }
+
     /// Reads the film back, with its picture.
     pub fn film(&mut self) -> Result<FilmImage, EngineError> {
-        report::read_film(&mut self.world)
+        film::read_film(&mut self.world)
     }
 
     /// Reads the mean radiance of the film's window back, row by row from the top: sooner done than the whole film.
     pub fn radiance(&mut self) -> Result<Vec<[f32; 3]>, EngineError> {
-        report::read_radiance(&mut self.world)
+        film::read_radiance(&self.world)
     }
 
     /// What was done so far, and what it took.

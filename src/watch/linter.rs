@@ -7,12 +7,12 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use super::event::{Problem, ReloadEvent};
+use super::lint::{self, Finding, VIEWS};
 use crate::gpu::Gpu;
 use crate::layout::trace::MaterialRecord;
 use crate::passes::lint::LINT;
 use crate::passes::trace::Needs;
 use crate::shader::Library;
-use crate::systems::lint::{self, Finding, VIEWS};
 
 /// The random numbers of every lint are the same: one and the same code is never called right and then wrong.
 const SEED: u32 = 0x1e57;

@@ -1,23 +1,107 @@
 //! Puts in place what the worker made, tells what that restarts, and brings back what was there if it fails.
 
-use std::sync::PoisonError;
-use std::sync::atomic::Ordering;
+use std::path::PathBuf;
+use std::time::Instant;
 
 use bevy_ecs::prelude::*;
+use bevy_ecs::system::SystemParam;
 
-use super::event::{Problem, ReloadEvent, Restarts};
-use super::worker::{News, Outcome};
-use super::{Reload, Taken};
+use super::error::{EngineError, no_fault};
+use super::resources::{Batch, Device, Exposure, FilmProgress, Governor, MaterialSlot, Tree};
+use super::{Phase, start_again};
 use crate::components::Name;
-use crate::gpu::{Code, GpuError};
+use crate::gpu::{Code, Compiler, GpuError, GpuTable};
 use crate::layout::trace::MaterialRecord;
 use crate::passes::Makes;
-use crate::scene::{self, Loaded};
+use crate::scene::{self, Loaded, SceneDescription};
 use crate::shader::ErrorKind;
-use crate::systems::engine::start_again;
-use crate::systems::governor::Governor;
-use crate::systems::state::{Batch, Device, Dirty, FilmProgress, PackedScene, no_fault};
-use crate::systems::{EngineError, Phase};
+use crate::watch::{Linter, News, Outcome, Problem, ReloadEvent, Restarts, Sources, Wake, Watch, WatchError};
+
+/// What is watched, what of it runs, and what is on trial.
+#[derive(Resource)]
+pub struct Reload {
+    watch: Watch,
+    /// The scene as its files were last taken up.
+    pub description: Option<SceneDescription>,
+    /// What is wrong with shaders and scene as they are on the disk; the engine runs older ones.
+    pub problems: Standing,
+    /// Not yet fetched.
+    pub events: Vec<ReloadEvent>,
+    /// What was taken up in this run of the schedule.
+    taken: Vec<Taken>,
+    /// What could not be taken up in it: told after what was.
+    refused: Vec<ReloadEvent>,
+    /// The scene, or the code, had to give way to an older one, and is tried again when the other changes.
+    retry_scene: bool,
+    retry_code: bool,
+    /// When the save happened whose first pixels are not there yet.
+    awaited: Option<Instant>,
+    /// What other code makes anew, from when it is put in place until the changes of the scene are known.
+    code_restarts: Restarts,
+    trial: Trial,
+    linter: Linter,
+}
+
+/// Problems by what they are about.
+#[derive(Default)]
+pub struct Standing {
+    pub code: Vec<Problem>,
+    pub scene: Vec<Problem>,
+}
+
+/// Something good that was put in place.
+struct Taken {
+    saved: Instant,
+    files: Vec<PathBuf>,
+    warnings: Vec<Problem>,
+}
+
+/// What to go back to.
+#[derive(Default)]
+struct Trial {
+    code: Option<Code>,
+    /// The code that runs now has shown a whole sample.
+    passed: bool,
+    /// What the code on trial makes anew.
+    restarts: Restarts,
+    scene: Option<SceneDescription>,
+    /// How far the film was that was put aside.
+    film: Option<FilmProgress>,
+    /// The files that are on trial.
+    files: Vec<PathBuf>,
+}
+
+impl Reload {
+    /// Starts to watch. `wake` is called, from another thread, when the next step has something to take up.
+    pub fn start(sources: Sources, compiler: Compiler, wake: Wake) -> Result<Reload, WatchError> {
+        let judged = sources.shaders.as_ref().map(|(_, library)| library.clone());
+        let description = sources.scene.as_ref().map(|(_, description, _)| description.clone());
+        Ok(Reload {
+            linter: Linter::new(judged, wake.clone()),
+            watch: Watch::start(sources, compiler, wake)?,
+            description,
+            problems: Standing::default(),
+            events: Vec::new(),
+            taken: Vec::new(),
+            refused: Vec::new(),
+            retry_scene: false,
+            retry_code: false,
+            awaited: None,
+            code_restarts: Restarts::default(),
+            trial: Trial::default(),
+        })
+    }
+
+    /// Whether the next step has something to take up.
+    pub fn waits(&self) -> bool {
+        self.watch.waits()
+    }
+
+    /// Has everything read again, changed or not.
+    pub fn force(&self) {
+        self.watch.force();
+    }
+}
 
 /// Where the film and its counters are put aside while other code is on trial.
 const ASIDE: [(&str, &str); 2] = [("film", "film_aside"), ("counters", "counters_aside")];
@@ -36,11 +120,9 @@ pub fn add_systems(schedule: &mut Schedule) {
 /// Takes up all that the worker has sent.
 fn take_up_saves(world: &mut World) {
     world.resource_scope(|world, mut reload: Mut<Reload>| {
-        reload.waits.store(false, Ordering::Release);
         let linted = reload.linter.take();
         reload.events.extend(linted);
-        let news: Vec<News> = reload.outcomes.get_mut().unwrap_or_else(PoisonError::into_inner).try_iter().collect();
-        for news in news {
+        for news in reload.watch.news() {
             match news {
                 News::Ready(outcome) => take_up(world, &mut reload, outcome),
                 News::Compiling { files, since, given_up, warnings } => {
@@ -120,7 +202,8 @@ fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
     if reload.code_restarts.film {
         let device = &mut world.resource_mut::<Device>().0;
         let kept = ASIDE.iter().all(|(from, to)| device.copy(from, to).is_ok());
-        reload.trial.film = kept.then(|| *world.resource::<FilmProgress>());
+        let progress = world.query::<&FilmProgress>().iter(world).next().copied();
+        reload.trial.film = progress.filter(|_| kept);
     }
 }
 
@@ -135,20 +218,40 @@ fn put_scene(world: &mut World, reload: &mut Reload, loaded: Loaded) -> Vec<Prob
     loaded.warnings.into_iter().map(Problem::from).collect()
 }
 
-/// Adds what other code makes anew to what the extracted changes do, and tells both.
-fn tell_what_restarts(mut reload: ResMut<Reload>, mut dirty: ResMut<Dirty>, mut governor: ResMut<Governor>) {
-    if dirty.film {
+/// What a reload may make start anew.
+#[derive(SystemParam)]
+struct Made<'w, 's> {
+    tree: ResMut<'w, Tree>,
+    progress: Single<'w, 's, &'static mut FilmProgress>,
+    exposure: Res<'w, Exposure>,
+    governor: ResMut<'w, Governor>,
+}
+
+/// Has made anew what other code makes, beside what extraction found, and tells both.
+fn tell_what_restarts(mut reload: ResMut<Reload>, mut made: Made) {
+    if !made.progress.begun {
         // The film that is aside is one of another scene, or seen from elsewhere.
         reload.trial.film = None;
     }
     let code = std::mem::take(&mut reload.code_restarts);
     if code.tree || code.film {
-        governor.forget();
+        made.governor.forget();
     }
-    dirty.tree |= code.tree;
-    dirty.film |= code.film;
-    dirty.picture |= code.picture;
-    let restarts = Restarts { tree: dirty.tree, film: dirty.film, picture: dirty.picture };
+    if code.tree {
+        made.tree.built = false;
+        made.progress.outdate_views();
+    }
+    if code.film {
+        made.progress.restart();
+    }
+    if code.picture {
+        made.progress.shown = None;
+    }
+    let restarts = Restarts {
+        tree: !made.tree.built,
+        film: !made.progress.begun,
+        picture: code.picture || made.exposure.is_changed() && !made.exposure.is_added(),
+    };
     for Taken { saved, files, warnings } in std::mem::take(&mut reload.taken) {
         if restarts != Restarts::default() {
             reload.awaited.get_or_insert(saved);
@@ -163,18 +266,19 @@ fn tell_what_restarts(mut reload: ResMut<Reload>, mut dirty: ResMut<Dirty>, mut 
 fn end_trial(
     mut reload: ResMut<Reload>,
     batch: Res<Batch>,
-    progress: Res<FilmProgress>,
+    progress: Single<&FilmProgress>,
     device: Res<Device>,
-    scene: Res<PackedScene>,
-    names: Query<&Name>,
+    records: Res<GpuTable<MaterialRecord>>,
+    materials: Query<(&Name, &MaterialSlot)>,
 ) {
-    if (batch.layers > 0 || progress.shown.is_some())
+    if (!batch.is_empty() || progress.shown.is_some())
         && let Some(saved) = reload.awaited.take()
     {
         reload.events.push(ReloadEvent::FirstPixels { since_save: saved.elapsed() });
-        let named =
-            |(entity, record): (&Entity, &MaterialRecord)| Some((names.get(*entity).ok()?.to_string(), *record));
-        let materials = scene.materials.iter().zip(&scene.records).filter_map(named).collect();
+        let mut named: Vec<(u32, &Name)> = materials.iter().map(|(name, slot)| (slot.0, name)).collect();
+        named.sort_by_key(|(slot, _)| *slot);
+        let record = |(slot, name): (u32, &Name)| Some((name.to_string(), *records.rows().get(slot as usize)?));
+        let materials = named.into_iter().filter_map(record).collect();
         reload.linter.start(device.0.gpu(), device.0.library(), materials);
     }
     if progress.samples > 0 {
@@ -213,14 +317,13 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
         Some(film) => {
             let device = &mut world.resource_mut::<Device>().0;
             let restored = ASIDE.iter().all(|(from, to)| device.copy(to, from).is_ok());
-            *world.resource_mut::<FilmProgress>() = FilmProgress { shown: None, ..film };
-            world.resource_mut::<Dirty>().film = !restored;
+            let film = if restored { FilmProgress { shown: None, ..film } } else { FilmProgress::default() };
+            set_progress(world, |progress| *progress = film);
         }
         // Code of the tree or of the picture: the film is what it was.
         None if endless && had_code && !reload.trial.restarts.film => {
-            let mut dirty = world.resource_mut::<Dirty>();
-            (dirty.tree, dirty.picture) = (reload.trial.restarts.tree, true);
-            world.resource_mut::<FilmProgress>().shown = None;
+            world.resource_mut::<Tree>().built &= !reload.trial.restarts.tree;
+            set_progress(world, |progress| progress.shown = None);
         }
         None => start_again(world),
     }
@@ -238,6 +341,19 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
     Ok(())
 }
 
+fn set_progress(world: &mut World, change: impl Fn(&mut FilmProgress)) {
+    world.query::<&mut FilmProgress>().iter_mut(world).for_each(|mut progress| change(&mut progress));
+}
+
 fn is_endless(error: &EngineError) -> bool {
     matches!(error, EngineError::Gpu(GpuError::Shader(error)) if error.kind == ErrorKind::Loop)
+}
+
+impl From<EngineError> for Problem {
+    fn from(error: EngineError) -> Self {
+        match error {
+            EngineError::Gpu(error) => error.into(),
+            other => Problem::of(other),
+        }
+    }
 }

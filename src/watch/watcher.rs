@@ -10,7 +10,7 @@ use std::time::Instant;
 use notify::event::{AccessKind, AccessMode, EventKind};
 use notify::{Config, RecommendedWatcher, RecursiveMode, Watcher};
 
-use super::worker::Message;
+use super::message::Message;
 
 /// Why nothing can be watched.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]

@@ -7,7 +7,7 @@ use std::sync::mpsc::Sender;
 use std::time::{Duration, Instant};
 
 use super::event::Problem;
-use super::worker::{Message, News, Outcome, Side};
+use super::message::{Message, News, Outcome, Side};
 use crate::gpu::{Code, Compiler};
 use crate::scene::Loaded;
 use crate::shader::{Library, ShaderError};

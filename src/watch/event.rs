@@ -8,7 +8,6 @@ use std::time::Duration;
 use crate::gpu::GpuError;
 use crate::scene::{self, Diagnostics, Severity};
 use crate::shader::ShaderError;
-use crate::systems::EngineError;
 
 /// Something that happened to what was saved.
 #[derive(Clone, Debug)]
@@ -68,6 +67,13 @@ pub struct Problem {
     pub diagnostic: Arc<dyn miette::Diagnostic + Send + Sync>,
 }
 
+impl Problem {
+    /// One without a place.
+    pub fn of(error: impl miette::Diagnostic + Send + Sync + 'static) -> Self {
+        Problem { file: None, line: 0, column: 0, message: error.to_string(), diagnostic: Arc::new(error) }
+    }
+}
+
 impl fmt::Debug for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.diagnostic)
@@ -98,20 +104,7 @@ impl From<GpuError> for Problem {
     fn from(error: GpuError) -> Self {
         match error {
             GpuError::Shader(error) => (*error).into(),
-            other => {
-                Problem { file: None, line: 0, column: 0, message: other.to_string(), diagnostic: Arc::new(other) }
-            }
-        }
-    }
-}
-
-impl From<EngineError> for Problem {
-    fn from(error: EngineError) -> Self {
-        match error {
-            EngineError::Gpu(error) => error.into(),
-            other => {
-                Problem { file: None, line: 0, column: 0, message: other.to_string(), diagnostic: Arc::new(other) }
-            }
+            other => Problem::of(other),
         }
     }
 }

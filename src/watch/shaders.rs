@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::compile::Saved;
+use super::message::Look;
 use super::watcher::Place;
-use super::worker::Look;
 use crate::files::{self, trail};
 use crate::shader::Library;
 

@@ -5,14 +5,17 @@
 use bevy_ecs::prelude::*;
 use glam::UVec2;
 
-use super::EngineError;
-use super::state::{Device, FilmProgress, MeshSlot, PackedScene};
+use super::film::progress;
 use crate::components::{Name, UsesMaterial};
 use crate::cpu::film::pixel_mean;
 use crate::cpu::view::middle_ray;
+use crate::gpu::GpuTable;
 use crate::layout::film::FilmPixel;
 use crate::layout::ray::{Hit, NO_HIT};
+use crate::layout::tree::Triangle;
 use crate::passes::{Recording, extend};
+use crate::systems::EngineError;
+use crate::systems::resources::{Device, MeshSlot, SceneGeometry, Shot};
 
 /// A pixel, looked at closely.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,12 +29,12 @@ pub struct Inspected {
     /// Samples that were no numbers, or too large, and are not in it.
     pub bad: u32,
     /// What the middle of the pixel sees; none where that is the environment.
-    pub surface: Option<Surface>,
+    pub surface: Option<Seen>,
 }
 
 /// Something that a ray hit.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Surface {
+pub struct Seen {
     /// Name of the mesh.
     pub mesh: String,
     /// Name of its material; none if it has the default one.
@@ -40,10 +43,10 @@ pub struct Surface {
 
 /// Looks at a pixel of the picture; none if there is no such pixel, or nothing was traced yet.
 pub fn inspect(world: &mut World, pixel: UVec2) -> Result<Option<Inspected>, EngineError> {
-    let scene = world.resource::<PackedScene>();
-    let (shot, exponent, triangles) = (scene.shot, scene.exponent, scene.triangles);
-    let size = UVec2::new(shot.window_width, shot.window_height);
-    if !world.resource::<FilmProgress>().cleared || pixel.cmpge(size).any() {
+    let shot = world.resource::<Shot>();
+    let (size, shot, exponent) = (shot.size(), shot.params, shot.exponent);
+    let triangles = world.resource::<GpuTable<Triangle>>().len() as u32;
+    if !progress(world).begun || pixel.cmpge(size).any() {
         return Ok(None);
     }
     let device = &mut world.resource_mut::<Device>().0;
@@ -63,7 +66,7 @@ pub fn inspect(world: &mut World, pixel: UVec2) -> Result<Option<Inspected>, Eng
 }
 
 /// The mesh that has a triangle, and its material.
-fn surface_of(world: &World, triangle: u32) -> Option<Surface> {
+fn surface_of(world: &World, triangle: u32) -> Option<Seen> {
     if triangle == NO_HIT {
         return None;
     }
@@ -71,8 +74,8 @@ fn surface_of(world: &World, triangle: u32) -> Option<Surface> {
         let slot = world.get::<MeshSlot>(**entity);
         slot.is_some_and(|slot| (slot.first..slot.first + slot.count).contains(&triangle))
     };
-    let mesh = *world.resource::<PackedScene>().meshes.iter().find(has)?;
+    let mesh = *world.resource::<SceneGeometry>().meshes.iter().find(has)?;
     let name = |entity: Entity| world.get::<Name>(entity).map(|name| name.as_str().to_owned());
     let material = world.get::<UsesMaterial>(mesh).and_then(|uses| name(uses.0));
-    Some(Surface { mesh: name(mesh)?, material })
+    Some(Seen { mesh: name(mesh)?, material })
 }

@@ -1,6 +1,5 @@
 //! The thread that looks at files: it waits until a burst of saves is over, reads, has others compile, and sends what came of it.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
@@ -9,10 +8,10 @@ use std::time::{Duration, Instant};
 use super::assets::SceneFiles;
 use super::compile::Compiles;
 use super::event::Problem;
+use super::message::{Look, Message, News, Outcome};
 use super::shaders::ShaderFolder;
 use super::watcher::{Folders, Place, Watched};
 use crate::gpu::Code;
-use crate::scene::Loaded;
 
 /// A burst is over when nothing was touched for so long: longer than an editor or git takes from one file to the next.
 const QUIET: Duration = Duration::from_millis(30);
@@ -26,81 +25,16 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// Between two looks for a folder that is not there.
 const SEARCH: Duration = Duration::from_millis(500);
 
-/// What the worker is told.
-pub enum Message {
-    /// Something in a watched folder was touched.
-    Touched(Instant),
-    /// Everything is to be read again.
-    Force,
-    /// A compile has ended: its number, and what it made.
-    Compiled {
-        serial: u64,
-        result: Result<Code, Vec<Problem>>,
-    },
-    /// What the compile of a number found that will take long.
-    Warned {
-        serial: u64,
-        warning: Problem,
-    },
-    Stop,
-}
-
-/// What a look at some files gives.
-pub enum Look<T> {
-    Same,
-    /// A file is empty or gone: most likely it is being saved.
-    Unfinished,
-    Changed {
-        files: Vec<PathBuf>,
-        result: Result<T, Vec<Problem>>,
-    },
-}
-
-impl<T> Look<T> {
-    fn changed(self) -> Option<Side<T>> {
-        match self {
-            Look::Changed { files, result } => Some((files, result)),
-            Look::Same | Look::Unfinished => None,
-        }
-    }
-}
-
-/// What the worker sends.
-pub enum News {
-    Ready(Outcome),
-    /// A compile takes long.
-    Compiling {
-        files: Vec<PathBuf>,
-        since: Duration,
-        /// Older compiles that have not ended yet.
-        given_up: usize,
-        warnings: Vec<Problem>,
-    },
-}
-
-/// What came of a burst of saves.
-pub struct Outcome {
-    /// When the first file of it was touched.
-    pub saved: Instant,
-    pub code: Option<Side<Code>>,
-    pub scene: Option<Side<Box<Loaded>>>,
-    /// Of good code.
-    pub warnings: Vec<Problem>,
-}
-
-/// The files that changed of shaders, or of the scene, and what they give.
-pub type Side<T> = (Vec<PathBuf>, Result<T, Vec<Problem>>);
-
 /// The worker's own state.
 pub struct Worker {
     pub folders: Folders,
     pub shaders: Option<(ShaderFolder, Compiles)>,
     pub scene: Option<SceneFiles>,
     pub messages: Receiver<Message>,
-    pub outcomes: Sender<News>,
-    /// Tells the driver that there is an outcome.
+    pub news: Sender<News>,
+    /// Tells the driver that there is news.
     pub wake: Box<dyn Fn() + Send>,
-    /// Set while an outcome waits to be taken up.
+    /// Set while news waits to be taken up.
     pub waits: Arc<AtomicBool>,
 }
 
@@ -177,7 +111,7 @@ impl Worker {
     fn send(&self, news: News) -> bool {
         // Before it is sent, or it could be taken up before it is said to wait.
         self.waits.store(true, Ordering::Release);
-        let sent = self.outcomes.send(news).is_ok();
+        let sent = self.news.send(news).is_ok();
         (self.wake)();
         sent
     }

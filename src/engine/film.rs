@@ -1,0 +1,101 @@
+//! The film, read back.
+
+use bevy_ecs::prelude::*;
+use glam::UVec2;
+
+use crate::components::Crop;
+use crate::cpu::film::{film_mean, half_mean, pixel_mean, relative_error};
+use crate::layout::film::FilmPixel;
+use crate::layout::view::ViewMode;
+use crate::passes::{Recording, film};
+use crate::systems::EngineError;
+use crate::systems::resources::{Device, Exposure, FilmProgress, Shot, Viewed};
+
+/// The film, read back. Pixels go row by row from the top of the window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilmImage {
+    /// The whole film, pixels.
+    pub size: UVec2,
+    /// The rendered part of it.
+    pub window: Crop,
+    /// Mean radiance, linear Rec.709.
+    pub rgb: Vec<[f32; 3]>,
+    /// The same from the even and from the odd samples alone: independent of each other.
+    pub halves: [Vec<[f32; 3]>; 2],
+    /// The sums themselves: two films are equal if these are.
+    pub pixels: Vec<FilmPixel>,
+    /// As shown: exposed, sRGB, opaque.
+    pub picture: Vec<[u8; 4]>,
+    /// Samples that every pixel has.
+    pub spp: u32,
+    /// Mean over all pixels.
+    pub mean: [f64; 3],
+    /// Estimated relMSE of `rgb`; 0 where no pixel has two samples.
+    pub relative_error: f64,
+}
+
+/// Reads the film back; shows it first, if its picture is an older one or not what is viewed.
+pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
+    let before = progress(world);
+    let (shot, exposure) = (world.resource::<Shot>(), world.resource::<Exposure>().0);
+    let (shot, exponent) = (shot.params, shot.exponent);
+    let size = UVec2::new(shot.film_width, shot.film_height);
+    let min = UVec2::new(shot.window_x, shot.window_y);
+    let window = Crop { min, max: min + UVec2::new(shot.window_width, shot.window_height) };
+    let count = shot.window_width * shot.window_height;
+    if count == 0 {
+        return Err(EngineError::EmptyFilm);
+    }
+    // A view that is on the screen stays there.
+    let is_viewed = world.resource::<Viewed>().0 != ViewMode::Beauty;
+    let held = if is_viewed { "film_picture" } else { "picture" };
+    let device = &mut world.resource_mut::<Device>().0;
+    device.reserve(held, u64::from(count) * 4)?;
+    let mut recording = Recording::default();
+    if !before.begun {
+        film::record_reset(&mut recording, count);
+    }
+    if is_viewed || before.shown != Some(ViewMode::Beauty) || !before.begun {
+        film::record_display(&mut recording, count, exponent, exposure).bind("picture", held);
+    }
+    device.play(&recording)?;
+    let pixels: Vec<FilmPixel> = device.read_some("film", count as usize)?;
+    let picture: Vec<[u8; 4]> = device.read_some(held, count as usize)?;
+    if !is_viewed {
+        let mut films = world.query::<&mut FilmProgress>();
+        films.iter_mut(world).for_each(|mut progress| progress.shown = Some(ViewMode::Beauty));
+    }
+    let as_f32 = |mean: [f64; 3]| mean.map(|channel| channel as f32);
+    let half = |h: usize| pixels.iter().map(|p| as_f32(half_mean(&p.halves[h], exponent).0)).collect();
+    Ok(FilmImage {
+        size,
+        window,
+        rgb: pixels.iter().map(|p| as_f32(pixel_mean(p, exponent).0)).collect(),
+        halves: [half(0), half(1)],
+        spp: before.samples,
+        mean: film_mean(&pixels, exponent),
+        relative_error: relative_error(&pixels, shot.window_width as usize, exponent),
+        picture,
+        pixels,
+    })
+}
+
+/// Reads the film's mean radiance alone; black where nothing was traced.
+pub fn read_radiance(world: &World) -> Result<Vec<[f32; 3]>, EngineError> {
+    let shot = world.resource::<Shot>();
+    let (count, exponent) = ((shot.size().x * shot.size().y) as usize, shot.exponent);
+    match (count, progress(world).begun) {
+        (0, _) => Err(EngineError::EmptyFilm),
+        (_, false) => Ok(vec![[0.0; 3]; count]),
+        (_, true) => {
+            let pixels: Vec<FilmPixel> = world.resource::<Device>().0.read_some("film", count)?;
+            Ok(pixels.iter().map(|pixel| pixel_mean(pixel, exponent).0.map(|channel| channel as f32)).collect())
+        }
+    }
+}
+
+/// How far the film has come; as one that has not begun, where there is none.
+pub fn progress(world: &World) -> FilmProgress {
+    let found = world.try_query::<&FilmProgress>().and_then(|mut films| films.iter(world).next().copied());
+    found.unwrap_or_default()
+}

@@ -1,0 +1,65 @@
+//! An account of the work.
+
+use std::collections::BTreeMap;
+
+use bevy_ecs::prelude::*;
+use glam::UVec2;
+
+use super::film;
+use crate::gpu::{GpuTable, PassTiming};
+use crate::layout::film::{BAD_LOG, BadSample, FilmCounters};
+use crate::layout::tree::{Triangle, node_count};
+use crate::systems::EngineError;
+use crate::systems::resources::{Device, Shot, Spent};
+
+/// What the engine did since it opened.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Adapter and driver.
+    pub adapter: String,
+    pub triangles: u32,
+    pub nodes: u32,
+    /// Samples of the film, over all pixels.
+    pub samples: u64,
+    /// Rays of those samples, counted on the GPU.
+    pub rays: u64,
+    /// Seconds from the first submission of a tree to its end.
+    pub seconds_build: f64,
+    /// Seconds of all batches of samples, from submission to end.
+    pub seconds_trace: f64,
+    /// Samples of the film that were not added.
+    pub bad_samples: u64,
+    /// The first of them.
+    pub bad_log: Vec<BadSample>,
+    /// GPU time by pass since the last report, if timing is on.
+    pub passes: Vec<PassTiming>,
+    /// Dispatches by pass.
+    pub dispatches: BTreeMap<&'static str, u64>,
+}
+
+/// Adds up what was done.
+pub fn read_report(world: &mut World) -> Result<Report, EngineError> {
+    let progress = film::progress(world);
+    let spent = *world.resource::<Spent>();
+    let triangles = world.resource::<GpuTable<Triangle>>().len() as u32;
+    let UVec2 { x: width, y: height } = world.resource::<Shot>().size();
+    let device = &mut world.resource_mut::<Device>().0;
+    let counters = match progress.begun {
+        true => device.read_some::<FilmCounters>("counters", 1)?[0],
+        false => FilmCounters::default(),
+    };
+    let bad = counters.bad.0;
+    Ok(Report {
+        adapter: device.gpu().name(),
+        triangles,
+        nodes: node_count(triangles),
+        samples: u64::from(width) * (u64::from(progress.samples) * u64::from(height) + u64::from(progress.rows)),
+        rays: u64::from(counters.rays_hi.0) << 32 | u64::from(counters.rays_lo.0),
+        seconds_build: spent.build,
+        seconds_trace: spent.trace,
+        bad_samples: u64::from(bad),
+        bad_log: counters.log[..bad.min(BAD_LOG) as usize].to_vec(),
+        passes: device.timings()?,
+        dispatches: device.dispatches().clone(),
+    })
+}

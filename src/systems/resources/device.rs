@@ -1,0 +1,68 @@
+//! The device, what is recorded for it, and how long it may take.
+
+use std::time::Duration;
+
+use bevy_ecs::prelude::*;
+
+use crate::gpu::{Gpu, Runtime};
+use crate::layout::view::ViewMode;
+use crate::passes::Recording;
+
+/// The device and all that is on it.
+#[derive(Resource)]
+pub struct Device(pub Runtime);
+
+/// Who builds the tree. Both build the same, to the bit.
+#[derive(Resource, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TreeBuilder {
+    /// The passes.
+    Passes,
+    /// Their twin on the processor, as long as nobody has edited the passes.
+    Twin,
+}
+
+impl TreeBuilder {
+    /// The twin, where the device is the processor anyway: the twin is faster there, and drivers take up to a third of a minute
+    /// to compile the passes.
+    pub fn of(gpu: &Gpu) -> Self {
+        if gpu.is_software() { TreeBuilder::Twin } else { TreeBuilder::Passes }
+    }
+}
+
+/// The tree over the scene's triangles.
+#[derive(Resource, Default, Clone, Copy, Debug)]
+pub struct Tree {
+    /// It is there, and of the triangles as they are.
+    pub built: bool,
+}
+
+/// Dispatches recorded in this run of the schedule.
+#[derive(Resource, Default)]
+pub struct Frame {
+    /// Morton codes to tree: played by itself, so that its time is known.
+    pub build: Recording,
+    pub trace: Recording,
+    /// The picture of the film: played by itself, so that its time is not taken for that of samples.
+    pub picture: Recording,
+}
+
+/// The picture follows the film batch by batch, for a user who watches.
+#[derive(Resource, Default)]
+pub struct Live(pub bool);
+
+/// What the picture is to show.
+#[derive(Resource, Default)]
+pub struct Viewed(pub ViewMode);
+
+/// Time this run of the schedule may take on the GPU.
+#[derive(Resource)]
+pub struct Budget(pub Duration);
+
+/// Seconds spent so far.
+#[derive(Resource, Default, Clone, Copy, Debug)]
+pub struct Spent {
+    pub build: f64,
+    pub trace: f64,
+    /// Samples over all pixels, in all batches since the engine opened.
+    pub samples: u64,
+}

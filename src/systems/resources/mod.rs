@@ -1,0 +1,15 @@
+//! What the phases hand to each other: resources that live as long as the engine, and components on the entities they are about.
+
+mod compiling;
+mod device;
+mod film;
+mod governor;
+mod scene;
+
+pub use compiling::CompileListener;
+pub use device::{Budget, Device, Frame, Live, Spent, Tree, TreeBuilder, Viewed};
+pub use film::{Batch, FilmProgress};
+pub use governor::Governor;
+pub use scene::{
+    Everything, Exposure, LightDensity, MaterialSlot, MeshSlot, Policy, SceneGeometry, Shot, Sky, SkyCell, Target,
+};

@@ -1,0 +1,73 @@
+//! What the threads of a watch say to each other.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use super::event::Problem;
+use crate::gpu::Code;
+use crate::scene::Loaded;
+
+/// What the worker is told.
+pub enum Message {
+    /// Something in a watched folder was touched.
+    Touched(Instant),
+    /// Everything is to be read again.
+    Force,
+    /// A compile has ended: its number, and what it made.
+    Compiled {
+        serial: u64,
+        result: Result<Code, Vec<Problem>>,
+    },
+    /// What the compile of a number found that will take long.
+    Warned {
+        serial: u64,
+        warning: Problem,
+    },
+    Stop,
+}
+
+/// What a look at some files gives.
+pub enum Look<T> {
+    Same,
+    /// A file is empty or gone: most likely it is being saved.
+    Unfinished,
+    Changed {
+        files: Vec<PathBuf>,
+        result: Result<T, Vec<Problem>>,
+    },
+}
+
+impl<T> Look<T> {
+    pub fn changed(self) -> Option<Side<T>> {
+        match self {
+            Look::Changed { files, result } => Some((files, result)),
+            Look::Same | Look::Unfinished => None,
+        }
+    }
+}
+
+/// What the worker sends.
+pub enum News {
+    Ready(Outcome),
+    /// A compile takes long.
+    Compiling {
+        files: Vec<PathBuf>,
+        since: Duration,
+        /// Older compiles that have not ended yet.
+        given_up: usize,
+        warnings: Vec<Problem>,
+    },
+}
+
+/// What came of a burst of saves.
+pub struct Outcome {
+    /// When the first file of it was touched.
+    pub saved: Instant,
+    pub code: Option<Side<Code>>,
+    pub scene: Option<Side<Box<Loaded>>>,
+    /// Of good code.
+    pub warnings: Vec<Problem>,
+}
+
+/// The files that changed of shaders, or of the scene, and what they give.
+pub type Side<T> = (Vec<PathBuf>, Result<T, Vec<Problem>>);

@@ -1,0 +1,102 @@
+//! Files that are saved while the engine runs: what changed is read, linked and compiled beside it.
+//!
+//! A [`worker`] thread waits for the [`watcher`] and reads what changed; threads that nobody joins link, validate and compile it
+//! ([`compile`]); the picture goes on meanwhile. What came of it is [`News`], which the engine puts in place, all or nothing
+//! (`systems/reload.rs`).
+
+mod assets;
+mod compile;
+mod event;
+pub mod lint;
+mod linter;
+mod message;
+mod shaders;
+mod watcher;
+mod worker;
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+
+pub use assets::{Adjust, SceneFile};
+pub use event::{Problem, ReloadEvent, Restarts};
+pub use linter::{Linter, Wake};
+pub use message::{News, Outcome};
+pub use watcher::WatchError;
+
+use crate::gpu::Compiler;
+use crate::scene::SceneDescription;
+use crate::shader::Library;
+use assets::SceneFiles;
+use compile::Compiles;
+use message::Message;
+use shaders::ShaderFolder;
+use watcher::Folders;
+use worker::Worker;
+
+/// What to watch, and what of it runs already.
+pub struct Sources {
+    /// The folder that the engine's library was read from.
+    pub shaders: Option<(PathBuf, Library)>,
+    /// The scene file, what it gave, and the files it was read from.
+    pub scene: Option<(SceneFile, SceneDescription, Vec<PathBuf>)>,
+}
+
+/// A worker that watches, as long as this lives.
+pub struct Watch {
+    sender: Sender<Message>,
+    news: Mutex<Receiver<News>>,
+    worker: Option<JoinHandle<()>>,
+    /// There is news.
+    waits: Arc<AtomicBool>,
+}
+
+impl Watch {
+    /// Starts to watch. `wake` is called, from another thread, when there is news.
+    pub fn start(sources: Sources, compiler: Compiler, wake: Wake) -> Result<Watch, WatchError> {
+        let (sender, messages) = channel();
+        let (news_sender, news) = channel();
+        let folders = Folders::new(sender.clone())?;
+        let compiles = Compiles::new(compiler, sender.clone());
+        let waits = Arc::new(AtomicBool::new(false));
+        let worker = Worker {
+            folders,
+            shaders: sources.shaders.map(|(folder, library)| (ShaderFolder::new(folder, &library), compiles)),
+            scene: sources.scene.map(|(file, _, files)| SceneFiles::new(file, &files)),
+            messages,
+            news: news_sender,
+            wake: Box::new(move || wake()),
+            waits: waits.clone(),
+        };
+        let worker = std::thread::spawn(move || worker.run());
+        Ok(Watch { sender, news: Mutex::new(news), worker: Some(worker), waits })
+    }
+
+    /// Whether there is news.
+    pub fn waits(&self) -> bool {
+        self.waits.load(Ordering::Acquire)
+    }
+
+    /// What came since the last call.
+    pub fn news(&mut self) -> Vec<News> {
+        self.waits.store(false, Ordering::Release);
+        self.news.get_mut().unwrap_or_else(PoisonError::into_inner).try_iter().collect()
+    }
+
+    /// Has everything read again, changed or not.
+    pub fn force(&self) {
+        // A worker that is gone has told why when it went.
+        let _ = self.sender.send(Message::Force);
+    }
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        let _ = self.sender.send(Message::Stop);
+        if let Some(worker) = self.worker.take() {
+            let _ = worker.join();
+        }
+    }
+}
