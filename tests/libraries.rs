@@ -84,6 +84,7 @@ const OTHERWISE: &[(&str, &str, &str)] = &[
     ("mtllib none.mtl", "M.MTL", "of the model's own name, is read"),
     ("mtllib none.mtl", "m.obj.mtl", "of the model's own name, is read"),
     ("# no library", "m.mtl", "no `mtllib` names one"),
+    ("mtllib", "m.mtl", "`mtllib` without a file name is left out"),
 ];
 
 #[test]

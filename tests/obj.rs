@@ -155,7 +155,7 @@ const WRONG: &[(&str, u32, u32, &str)] = &[
     ("vn 1 2 x\n", 1, 8, "`x` is not a number"),
     ("vt\n", 1, 1, "`vt` needs 1 numbers"),
     ("usemtl\n", 1, 1, "without a name"),
-    ("mtllib\n", 1, 1, "without a file name"),
+    ("v 0,5 0 0\n", 1, 3, "decimals have a point: `0.5`"),
     ("ff 1 2 3\n", 1, 1, "did you mean `f`"),
     ("vertex 1 2 3\n", 1, 1, "unknown statement `vertex`"),
     ("v 0 0 0\nv 0 0 \\\n  nan\n", 3, 3, "NaN"),

@@ -104,17 +104,17 @@ fn an_older_file_is_replaced_and_a_refusal_leaves_nothing() {
     let path = folder.path().join("a.json");
     std::fs::write(&path, "old").unwrap();
     let output = Output::new(&path).unwrap();
-    output.prepare().unwrap();
+    output.prepare(&[]).unwrap();
     assert_eq!(std::fs::read(&path).unwrap(), b"old", "preparing must not touch what is there");
     output.write(&Sample::new().picture()).unwrap();
     assert_ne!(std::fs::read(&path).unwrap(), b"old");
 
     let file_as_folder = Output::new(path.join("b.png")).unwrap();
-    assert!(matches!(file_as_folder.prepare(), Err(SaveError::Folder { .. })));
+    assert!(matches!(file_as_folder.prepare(&[]), Err(SaveError::Folder { .. })));
     assert!(matches!(file_as_folder.write(&Sample::new().picture()), Err(SaveError::Folder { .. })));
     std::fs::create_dir(folder.path().join("c.png")).unwrap();
     let folder_as_file = Output::new(folder.path().join("c.png")).unwrap();
-    assert!(matches!(folder_as_file.prepare(), Err(SaveError::IsFolder(_))));
+    assert!(matches!(folder_as_file.prepare(&[]), Err(SaveError::IsFolder(_))));
     assert!(matches!(folder_as_file.write(&Sample::new().picture()), Err(SaveError::IsFolder(_))));
     assert_eq!(names(folder.path()), ["a.json", "c.png"]);
 }
@@ -154,7 +154,7 @@ mod links {
     /// Writes through a link; all that must then hold but where the file is.
     fn written(link: &Path) -> Vec<u8> {
         let output = Output::new(link).unwrap();
-        output.prepare().unwrap();
+        output.prepare(&[]).unwrap();
         output.write(&Sample::new().picture()).unwrap();
         assert!(is_link(link), "{} is no link any more", link.display());
         std::fs::read(link).unwrap()
@@ -217,7 +217,7 @@ mod links {
             ("self.png/x.png", "can't make the folder"),
         ] {
             let output = Output::new(at(name)).unwrap();
-            for result in [output.prepare(), output.write(&Sample::new().picture())] {
+            for result in [output.prepare(&[]), output.write(&Sample::new().picture())] {
                 let text = result.unwrap_err().to_string();
                 assert!(text.contains(word) && text.contains(name.split('/').next().unwrap()), "{text}");
             }
@@ -235,12 +235,12 @@ mod links {
         symlink("a.png", at("link.exr")).unwrap();
         let outputs =
             ["a.png", "./a.png", "deep/../a.png", "link.png", "b.exr"].map(|name| Output::new(at(name)).unwrap());
-        let (prepared, failures) = Outputs::prepare(&outputs);
+        let (prepared, failures) = Outputs::prepare(&outputs, &[]);
         assert!(failures.is_empty(), "{failures:?}");
         assert_eq!(prepared.names(), [&outputs[0], &outputs[4]].map(|output| output.path.display().to_string()));
         // Two kinds of file can't be one file.
         let outputs = ["a.png", "link.exr"].map(|name| Output::new(at(name)).unwrap());
-        let (prepared, failures) = Outputs::prepare(&outputs);
+        let (prepared, failures) = Outputs::prepare(&outputs, &[]);
         assert_eq!(prepared.names().len(), 1);
         assert!(matches!(&failures[..], [SaveError::Same(..)]), "{failures:?}");
     }
@@ -252,7 +252,7 @@ fn one_file_that_fails_keeps_no_other_from_being_written() {
     let at = |name: &str| folder.path().join(name);
     let all = ["a.png", "a.exr", "a.json", "b.json", "b.png"].map(|name| Output::new(at(name)).unwrap());
     for broken in 0..all.len() {
-        let (mut outputs, failures) = Outputs::prepare(&all);
+        let (mut outputs, failures) = Outputs::prepare(&all, &[]);
         assert!(failures.is_empty());
         // Something comes in the way while it renders.
         std::fs::create_dir(&all[broken].path).unwrap();
@@ -275,7 +275,8 @@ fn one_file_that_fails_keeps_no_other_from_being_written() {
 fn a_report_names_the_files_that_were_written() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
-    let (mut outputs, _) = Outputs::prepare(&["a.json", "a.png", "a.exr"].map(|name| Output::new(at(name)).unwrap()));
+    let (mut outputs, _) =
+        Outputs::prepare(&["a.json", "a.png", "a.exr"].map(|name| Output::new(at(name)).unwrap()), &[]);
     std::fs::create_dir(at("a.png")).unwrap();
     outputs.write(&Sample::new().picture(), |names| serde_json::json!(names));
     let report: Vec<String> = serde_json::from_slice(&std::fs::read(at("a.json")).unwrap()).unwrap();

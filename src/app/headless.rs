@@ -33,13 +33,13 @@ enum Ended {
 pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let begin = Instant::now();
-    let Opened { path, mut description, .. } = arguments.flags.open(&arguments.scene, arguments.quiet)?;
+    let Opened { path, mut description, files } = arguments.flags.open(&arguments.scene, arguments.quiet)?;
     if arguments.time.is_some() && arguments.flags.spp.is_none() {
         // The scene's own number of samples is no limit.
         description.render.spp = u32::MAX;
     }
     let library = arguments.flags.library()?;
-    let (mut outputs, prepared) = output::prepare(&outputs(arguments, &path)?)?;
+    let (mut outputs, prepared) = output::prepare(&outputs(arguments, &path)?, &files)?;
     let load = begin.elapsed();
 
     let begin = Instant::now();

@@ -1,6 +1,7 @@
 //! Results go to stdout, and a reader that has gone is no error; pictures go to files.
 
 use std::io::{ErrorKind, Write};
+use std::path::PathBuf;
 
 use super::Failure;
 use super::failure::show;
@@ -30,10 +31,10 @@ pub fn note(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{text}");
 }
 
-/// Tries the places of files that are to be written, and tells of those where none can be. Says whether all can; fails if none
-/// can.
-pub fn prepare(outputs: &[Output]) -> Result<(Outputs, bool), Failure> {
-    let (outputs, mut failures) = Outputs::prepare(outputs);
+/// Tries the places of files that are to be written, and tells of those where none can be, or where one is that is `read`. Says
+/// whether all can; fails if none can.
+pub fn prepare(outputs: &[Output], read: &[PathBuf]) -> Result<(Outputs, bool), Failure> {
+    let (outputs, mut failures) = Outputs::prepare(outputs, read);
     let last = if outputs.is_empty() { failures.pop() } else { None };
     failures.iter().for_each(|failure| show(failure));
     match last {

@@ -50,7 +50,7 @@ pub enum Fault {
     #[error("has no channels R, G and B, and no Y, in any layer; its channels are: {0}")]
     #[diagnostic(help("write the picture as RGB, with or without a prefix, such as `beauty.R`"))]
     Channels(String),
-    #[error("{}x{} pixels is too large", .0.x, .0.y)]
+    #[error("{}x{} pixels is {}", .0.x, .0.y, if .0.min_element() == 0 { "empty" } else { "too large" })]
     #[diagnostic(help("a side has 1 to {} pixels", Film::MAX_SIDE))]
     TooLarge(UVec2),
 }

@@ -27,6 +27,9 @@ pub enum SaveError {
     #[error("{} and {} are the same file", .0.display(), .1.display())]
     #[diagnostic(help("give each kind of file a place of its own"))]
     Same(PathBuf, PathBuf),
+    #[error("{}: is one of the files that are read: it would be lost", .0.display())]
+    #[diagnostic(help("choose another place with -o FILE"))]
+    Input(PathBuf),
     #[error("{}: can't make the folder: {source}", folder.display())]
     #[diagnostic(help("choose another place with -o FILE"))]
     Folder { folder: PathBuf, source: std::io::Error },
@@ -42,6 +45,11 @@ pub fn prepare(path: &Path) -> Result<PathBuf, SaveError> {
     temporary(&place).map_err(|source| failed(path, source))?;
     let folder = std::fs::canonicalize(folder(&place)).map_err(|source| failed(path, source))?;
     Ok(folder.join(place.file_name().unwrap_or_default()))
+}
+
+/// Whether a place, with all links followed, is that of one of some files.
+pub fn is_among(place: &Path, files: &[PathBuf]) -> bool {
+    files.iter().any(|file| std::fs::canonicalize(file).is_ok_and(|real| real == place))
 }
 
 /// Writes a file by `content`, and makes the folders it lacks.

@@ -12,14 +12,15 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    /// Tries whether files can be written at their places. Those that can't are left out and returned; a file that several
-    /// names lead to is written once.
-    pub fn prepare(outputs: &[Output]) -> (Self, Vec<SaveError>) {
+    /// Tries whether files can be written at their places, without loss of those that are `read`. Those that can't are left out and
+    /// returned; a file that several names lead to is written once.
+    pub fn prepare(outputs: &[Output], read: &[PathBuf]) -> (Self, Vec<SaveError>) {
         let mut places: Vec<(PathBuf, &Output)> = Vec::new();
         let mut failures = Vec::new();
         for output in outputs {
             match file::prepare(&output.path) {
                 Err(failure) => failures.push(failure),
+                Ok(place) if file::is_among(&place, read) => failures.push(SaveError::Input(output.path.clone())),
                 Ok(place) => match places.iter().find(|(taken, _)| *taken == place) {
                     None => places.push((place, output)),
                     Some((_, first)) if first.kind == output.kind => {}

@@ -63,9 +63,10 @@ impl Output {
         Ok(Self { path, kind })
     }
 
-    /// Tries whether the file can be written, so that long work can't end in a refusal.
-    pub fn prepare(&self) -> Result<(), SaveError> {
-        file::prepare(&self.path).map(drop)
+    /// Tries whether the file can be written, so that long work can't end in a refusal; refuses to write over one that is `read`.
+    pub fn prepare(&self, read: &[PathBuf]) -> Result<(), SaveError> {
+        let place = file::prepare(&self.path)?;
+        if file::is_among(&place, read) { Err(SaveError::Input(self.path.clone())) } else { Ok(()) }
     }
 
     /// Writes the picture as its kind of file.

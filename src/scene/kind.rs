@@ -61,6 +61,10 @@ impl Kind {
         if let Some(kind) = Self::by_ending(path) {
             return Ok(Some(kind));
         }
+        if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("wgsl")) {
+            return Err(Diagnostic::file(Severity::Error, path, "this is a shader, not an asset")
+                .help("`lucerna check` without a file checks all of ./shaders, or those that were built in"));
+        }
         let mut start = Vec::new();
         let file = text::open(path, u64::MAX)?;
         file.take(LOOKED_AT).read_to_end(&mut start).map_err(|error| text::cannot_read(path, &error))?;

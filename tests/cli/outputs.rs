@@ -45,3 +45,26 @@ fn a_link_is_written_through() {
     }
     assert_eq!(names(&folder.path().join("elsewhere")), ["x.exr", "x.json", "x.png"]);
 }
+
+/// The scene, its model and library, and pictures that are compared: by name, through a link, and as a scene told by its content.
+#[test]
+fn what_is_read_is_not_written_over() {
+    let folder = folder_with("", b"");
+    let at = |name: &str| folder.path().join(name);
+    let (code, _, text) = render(folder.path(), &["x.png", "y.exr"]);
+    assert_eq!(code, Some(0), "{text}");
+    std::fs::copy(at("a.ron"), at("scene.json")).unwrap();
+    let held = |name: &str| std::fs::read(at(name)).unwrap();
+    let before = ["scene.json", "a.obj", "x.png", "y.exr"].map(held);
+    let text = refused(1, folder.path(), &["render", "scene.json", "-o", "./scene.json"]);
+    assert!(text.contains("scene.json: is one of the files that are read") && text.contains("help:"), "{text}");
+    refused(1, folder.path(), &["compare", "x.png", "y.exr", "-o", "x.png"]);
+    refused(1, folder.path(), &["compare", "y.exr", "x.png", "-o", "./x.png"]);
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("a.obj", at("model.png")).unwrap();
+        let text = refused(1, folder.path(), &["render", "a.ron", "-o", "model.png"]);
+        assert!(text.contains("model.png: is one of the files"), "{text}");
+    }
+    assert_eq!(["scene.json", "a.obj", "x.png", "y.exr"].map(held), before);
+}

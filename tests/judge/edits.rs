@@ -158,7 +158,8 @@ fn gross_mistakes_are_found_by_small_films_first() {
 fn the_time_is_kept_however_long_a_film_is() {
     let new = edited("lib/bsdf/lambert", "INV_PI * cos_theta)", "0.5 * INV_PI * cos_theta)", 1);
     let said = judge(6, new.path(), "512x512", &["--spp", "16777216", "--time", "3"]).stdout;
-    assert!(said.starts_with("can't tell: 0 films of each at 512x512 are too few"), "{said}");
+    // Where shaders take longer than that to compile, it is the smallest film that is not finished.
+    assert!(said.starts_with("can't tell: 0 films of each at ") && said.contains(" are too few"), "{said}");
 }
 
 /// What the forty replace is there, and what they put in its place is code.

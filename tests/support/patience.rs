@@ -60,6 +60,22 @@ impl Patience {
     }
 }
 
+/// How soon a process ends that was told to: by the clock, or by its own processor time where the machine has too much else to do.
+pub fn time_to_end(child: &mut std::process::Child, most: Duration) -> Option<Duration> {
+    let (begin, before) = (Instant::now(), processor_time(child.id()));
+    loop {
+        let now = processor_time(child.id());
+        if child.try_wait().unwrap().is_some() {
+            return Some(begin.elapsed());
+        }
+        let worked = now.zip(before).map_or(begin.elapsed(), |(now, before)| now.saturating_sub(before));
+        if begin.elapsed() > most && worked > most || begin.elapsed() > STILL {
+            return None;
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
 /// Processor time of a process so far, all threads together, in steps of 10 ms; `None` where the system does not tell.
 pub fn processor_time(process: u32) -> Option<Duration> {
     time_in(&format!("/proc/{process}/stat"))

@@ -4,7 +4,7 @@ use std::io::{BufRead, BufReader, IoSlice};
 use std::process::{Child, Command, Stdio};
 
 use x11rb::connection::{Connection, RequestConnection};
-use x11rb::protocol::xproto::{AtomEnum, ConfigureWindowAux, ConnectionExt, ImageFormat, InputFocus, Window};
+use x11rb::protocol::xproto::{AtomEnum, ConfigureWindowAux, ConnectionExt, ImageFormat, InputFocus, MapState, Window};
 use x11rb::rust_connection::RustConnection;
 
 use crate::support::patience::Patience;
@@ -48,10 +48,15 @@ impl Xvfb {
         Self { server, name, connection, root, xtest }
     }
 
-    /// The window whose title holds a text, if there is one by now.
+    /// The window whose title holds a text, if one is shown by now: one that is not can't be given the keyboard.
     pub fn window(&self, title: &str) -> Option<Window> {
         let tree = self.connection.query_tree(self.root).unwrap().reply().unwrap();
-        tree.children.into_iter().find(|window| self.title(*window).contains(title))
+        tree.children.into_iter().find(|window| self.is_shown(*window) && self.title(*window).contains(title))
+    }
+
+    fn is_shown(&self, window: Window) -> bool {
+        let attributes = self.connection.get_window_attributes(window).unwrap().reply();
+        attributes.is_ok_and(|attributes| attributes.map_state == MapState::VIEWABLE)
     }
 
     pub fn title(&self, window: Window) -> String {

@@ -75,7 +75,7 @@ pub fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
     let (a, b) = (Source::open(&arguments.a)?, Source::open(&arguments.b)?);
     let (windows, origin) = windows(&a, &b, arguments.crop).map_err(Failure::of)?;
     if let Some(output) = &arguments.output {
-        output.prepare()?;
+        output.prepare(&[arguments.a.clone(), arguments.b.clone()])?;
     }
     let sides = [side(&a, windows[0])?, side(&b, windows[1])?];
     let comparison = compare(sides, windows[0].size(), origin, arguments).map_err(Failure::of)?;

@@ -132,14 +132,17 @@ impl Look {
         let next = if least > self.within { self.within } else { 0.5 * least };
         let later =
             self.seconds_to_find(next).map_or(String::new(), |at| format!("; {} takes {}", part(next), clock(at)));
-        let now = clock(self.seconds[0]);
+        let now = clock(self.seconds[0].round().max(1.0));
         format!("a difference of at least {} of the whole picture would have been found in {now}{later}", part(least))
     }
 
     fn too_few(&self) -> String {
         let (films, size) = (self.films, self.size);
         let later = match films {
-            0 => format!("the first were not finished after {}, compiling included", clock(self.seconds[0])),
+            0 => format!(
+                "the first were not finished after {}, compiling included",
+                clock(self.seconds[0].round().max(1.0))
+            ),
             _ => {
                 let [seconds, taken] = self.seconds;
                 let all = seconds - taken + taken * LEAST_GROUPS as f64 / films as f64;

@@ -37,8 +37,8 @@ pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     let begin = Instant::now();
     let interrupt = Interrupt::listen(Exit::Interrupted);
-    let (path, description) = describe(arguments)?;
-    let (mut outputs, prepared) = output::prepare(&arguments.output)?;
+    let (path, description, files) = describe(arguments)?;
+    let (mut outputs, prepared) = output::prepare(&arguments.output, &files)?;
     let old = arguments.old.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open)?;
     let new = Library::open(&arguments.new)?;
     let gpu = Gpu::open()?;
@@ -70,8 +70,8 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     })
 }
 
-/// The scene as it is to be judged.
-fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, SceneDescription), Failure> {
+/// The scene as it is to be judged, with its path and all files that were read for it.
+fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, SceneDescription, Vec<PathBuf>), Failure> {
     let path = scene::find(&arguments.scene)?;
     let loaded = scene::load(&path, &arguments.define)?;
     if !arguments.quiet {
@@ -86,7 +86,7 @@ fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, SceneDescription), F
         // A crop in pixels is one of the scene's own size.
         description.film.crop = None;
     }
-    Ok((path, description))
+    Ok((path, description, loaded.files))
 }
 
 /// Traces until a look ends it, or a signal does.

@@ -35,9 +35,13 @@ impl Side {
         let before = self.stage.report()?.seconds_trace;
         self.stage.set(Render { seed, spp, ..self.stage.render });
         self.stage.set_film(film);
-        while !self.stage.step()?.finished {
+        loop {
+            // Before the first step too: of films that one step finishes, there may be any number.
             if clock.is_over()? {
                 return Ok(None);
+            }
+            if self.stage.step()?.finished {
+                break;
             }
         }
         let report = self.stage.report()?;

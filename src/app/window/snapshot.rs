@@ -29,7 +29,7 @@ pub fn save(folder: &Path, scene: &SceneDescription, adapter: &str, film: &FilmI
     };
     let files = [("png", Kind::Png), ("exr", Kind::Exr)];
     let files = files.map(|(extension, kind)| Output { path: path(number, extension), kind });
-    let (mut outputs, mut failures) = Outputs::prepare(&files);
+    let (mut outputs, mut failures) = Outputs::prepare(&files, &[]);
     failures.extend(outputs.write(&picture, |_| serde_json::Value::Null));
     (outputs.names(), failures)
 }

@@ -265,7 +265,10 @@ impl<'f, R: BufRead> Scanner<'f, R> {
     /// `mtllib` and its names.
     fn library(&mut self, line: &Line, key: &str, rest: &str) -> Result<(), Diagnostic> {
         if rest.is_empty() {
-            return Err(line.error(key, "`mtllib` without a file name"));
+            self.tally.push("libraries without a name", || {
+                line.warning(key, "`mtllib` without a file name is left out").help("name the model's .mtl file")
+            });
+            return Ok(());
         }
         if self.libraries.len() >= MAX_LIBRARIES {
             return Err(line.error(key, format!("more than {MAX_LIBRARIES} material libraries")));

@@ -72,10 +72,19 @@ pub fn position<'l>(line: &Line, key: &str, rest: &'l str) -> Result<([&'l str; 
                 let message = format!("this coordinate is beyond {FARTHEST:e}");
                 return Err(line.error(word, message).help("scale the model down"));
             }
-            None => return Err(line.error(word, format!("`{word}` is not a number"))),
+            None => return Err(no_number(line, word)),
         }
     }
     Ok((coordinates, list.next().is_some()))
+}
+
+fn no_number(line: &Line, word: &str) -> Diagnostic {
+    let error = line.error(word, format!("`{word}` is not a number"));
+    let with_point = word.replacen(',', ".", 1);
+    match text::number(&with_point) {
+        Some(_) if with_point != word => error.help(format!("decimals have a point: `{with_point}`")),
+        _ => error.help(REPAIR),
+    }
 }
 
 const REPAIR: &str = "repair the model, or export it again";
@@ -90,7 +99,7 @@ pub fn numbers<const N: usize>(
     let mut values = [Some(0.0); N];
     let mut found = 0;
     for (value, word) in values.iter_mut().zip(words(rest)) {
-        let number = text::number(word).ok_or_else(|| line.error(word, format!("`{word}` is not a number")))?;
+        let number = text::number(word).ok_or_else(|| no_number(line, word))?;
         *value = (number as f32).is_finite().then_some(number);
         found += 1;
     }
