@@ -248,7 +248,7 @@ fn by_name(world: &mut World, name: &str) -> Entity {
 /// The film of an engine equals that of its scene opened fresh.
 fn assert_law(engine: &mut Engine) {
     let edited = pixels(engine);
-    let description = describe(&engine);
+    let description = describe(engine);
     let fresh = pixels(&mut Engine::open(support::gpu(), Library::shipped(), &description).unwrap());
     assert!(edited == fresh, "{} pixels differ", count_different(&edited, &fresh));
 }

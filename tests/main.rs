@@ -39,6 +39,7 @@ mod rooms;
 mod sampler;
 mod save;
 mod scene;
+mod schedule;
 mod setup;
 mod shader;
 mod shader_depth;
