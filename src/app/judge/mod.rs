@@ -3,6 +3,7 @@
 mod arguments;
 mod clock;
 mod core;
+mod error;
 mod look;
 mod mark;
 mod report;
@@ -10,8 +11,9 @@ mod series;
 mod side;
 pub mod sizing;
 
-pub use self::core::{Judge, JudgeError, Plan, SECONDS, WITHIN};
+pub use self::core::{Judge, Plan, SECONDS, WITHIN};
 pub use arguments::JudgeArguments;
+pub use error::JudgeError;
 pub use look::{End, Look, Unknown, Verdict};
 pub use mark::marked;
 pub use series::Estimator;
