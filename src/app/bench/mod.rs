@@ -1,10 +1,13 @@
 //! Benchmarks. Of single stages: medians over runs after warm-up, GPU time by pass, as a table or as JSON. Of light
 //! transport as a whole: [`light`].
 
+mod arguments;
 pub mod build;
 pub mod extend;
 pub mod light;
 pub mod sort;
+
+pub use arguments::BenchArguments;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

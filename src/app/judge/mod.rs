@@ -18,7 +18,7 @@ pub use look::{End, Look, Unknown, Verdict};
 pub use mark::marked;
 pub use series::Estimator;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use super::failure::show;
@@ -148,9 +148,4 @@ impl From<JudgeError> for Failure {
             stopped @ JudgeError::Stopped => Self::of(stopped),
         }
     }
-}
-
-/// A folder's name as it is told.
-fn folder(path: Option<&Path>) -> String {
-    path.map_or("built in".to_owned(), |path| path.display().to_string())
 }
