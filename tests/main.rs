@@ -3,6 +3,7 @@
 mod alias;
 mod bench;
 mod bsdf;
+mod circles;
 mod cli;
 mod compare;
 mod compile;

@@ -3,14 +3,23 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::arguments::CheckArguments;
+use clap::Args;
+
 use super::failure::show;
+use super::values::EXIT_CODES;
 use super::{Exit, Failure, output};
 use crate::gpu::checked_entry;
 use crate::passes::Pass;
 use crate::passes::table::TABLE;
 use crate::scene;
 use crate::shader::{Library, ShaderError};
+
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub struct CheckArguments {
+    /// Assets (.ron, .obj, .mtl) or folders of them [default: the folder assets, and all shaders]
+    pub paths: Vec<PathBuf>,
+}
 
 /// Checks what was named; without names, the folder of assets and every shader.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {

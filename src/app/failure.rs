@@ -3,7 +3,6 @@
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
-use super::bench::BenchError;
 use crate::engine::EngineError;
 use crate::gpu::GpuError;
 use crate::image::{ReadError, SaveError};
@@ -105,16 +104,6 @@ impl From<GpuError> for Failure {
             _ => Exit::Failed,
         };
         Self { exit, report: error.into() }
-    }
-}
-
-impl From<BenchError> for Failure {
-    fn from(error: BenchError) -> Self {
-        match error {
-            BenchError::Gpu(error) => error.into(),
-            BenchError::Engine(error) => Self::engine(error),
-            other => Self::of(other),
-        }
     }
 }
 

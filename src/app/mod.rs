@@ -9,14 +9,14 @@ mod compare;
 pub mod compiling;
 mod doctor;
 mod failure;
-mod headless;
 mod interrupt;
 pub mod judge;
 mod output;
 mod progress;
-mod report;
+mod render;
 mod scene;
 mod stage;
+mod values;
 mod watch;
 pub mod window;
 
@@ -27,7 +27,8 @@ use clap::{CommandFactory, Parser};
 
 pub use failure::{Exit, Failure};
 
-use arguments::{Arguments, Command, ViewArguments};
+use arguments::{Arguments, Command};
+use window::ViewArguments;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
@@ -50,7 +51,7 @@ pub fn main() -> ExitCode {
     };
     let result = match command {
         Command::View(view) => window::run(&view),
-        Command::Render(render) => headless::render(&render, started),
+        Command::Render(render) => render::run(&render, started),
         Command::Watch(watch) => watch::run(&watch),
         Command::Compare(comparison) => compare::run(&comparison),
         Command::Check(check) => check::run(&check),

@@ -10,20 +10,20 @@ use crate::image::{Output, Outputs};
 /// stdout could not be written, for another reason than that nobody reads it.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("can't write to stdout: {0}")]
-struct Unwritten(std::io::Error);
+pub struct Unwritten(std::io::Error);
 
 /// Writes text to stdout. A closed pipe is taken as "enough".
-pub fn write(text: &str) -> std::io::Result<()> {
+pub fn write(text: &str) -> Result<(), Unwritten> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        result => result,
+        result => result.map_err(Unwritten),
     }
 }
 
 /// Writes a result to stdout.
 pub fn print(text: &str) -> Result<(), Failure> {
-    write(text).map_err(|error| Failure::of(Unwritten(error)))
+    write(text).map_err(Failure::of)
 }
 
 /// Prints a line to stderr, if anybody is there.

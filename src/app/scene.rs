@@ -6,8 +6,8 @@ use clap::Args;
 use glam::UVec2;
 
 use super::Failure;
-use super::arguments::{IntegratorName, SamplerName, Switch, crop, define, size, stops};
 use super::failure::show;
+use super::values::{IntegratorName, SamplerName, Switch, crop, define, size, stops};
 use crate::components::{Crop, Render};
 use crate::scene::{self, SceneDescription};
 use crate::shader::{Library, ShaderError};

@@ -4,16 +4,30 @@ use std::io::Write;
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
+use clap::Args;
 use serde_json::{Value, json};
 
-use super::arguments::WatchArguments;
 use super::compiling::{is_due, line, watch_compiling};
 use super::failure::show;
 use super::interrupt::Interrupt;
+use super::scene::SceneFlags;
+use super::values::EXIT_CODES;
 use super::{Exit, Failure, output};
 use crate::engine::{Engine, EngineError, Progress};
 use crate::gpu::{Gpu, GpuError};
 use crate::watch::{Problem, ReloadEvent, Restarts};
+
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+pub struct WatchArguments {
+    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
+    pub scene: String,
+    #[command(flatten)]
+    pub flags: SceneFlags,
+    /// No messages on stderr beside the events
+    #[arg(long, short)]
+    pub quiet: bool,
+}
 
 /// Tracing between two looks at what was saved.
 const STEP: Duration = Duration::from_millis(30);

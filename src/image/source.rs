@@ -8,12 +8,10 @@ use glam::{I64Vec2, IVec2, UVec2};
 use super::error::{Fault, ReadError};
 use super::exr::{self, ExrFile};
 use super::hdr::{self, HdrFile};
+use super::pixel::Pixel;
 use super::png;
 use super::tail::Tail;
 use crate::components::{Crop, Film};
-
-/// Linear Rec.709 radiance of a pixel, as the file has it: it may be negative, infinite or NaN.
-pub type Pixel = [f32; 3];
 
 /// Bytes from the start of a file that tell what it is.
 const START: u64 = 4096;

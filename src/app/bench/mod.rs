@@ -1,10 +1,13 @@
 //! Benchmarks. Of single stages: medians over runs after warm-up, GPU time by pass, as a table or as JSON. Of light
 //! transport as a whole: [`light`].
 
+mod arguments;
 pub mod build;
 pub mod extend;
 pub mod light;
 pub mod sort;
+
+pub use arguments::BenchArguments;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -12,7 +15,8 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use super::output;
+use super::Failure;
+use super::output::{self, Unwritten};
 use crate::engine::EngineError;
 use crate::gpu::{GpuError, Runtime};
 use crate::image::SaveError;
@@ -37,8 +41,9 @@ pub enum BenchError {
     Wrong(String),
     #[error("no JSON: {0}")]
     Json(#[from] serde_json::Error),
-    #[error("can't write to stdout: {0}")]
-    Print(#[from] std::io::Error),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Print(#[from] Unwritten),
     #[error(transparent)]
     #[diagnostic(transparent)]
     Engine(#[from] EngineError),
@@ -52,6 +57,16 @@ pub enum BenchError {
     Earlier { path: PathBuf, source: serde_json::Error },
     #[error("no reference: {0}")]
     Oracle(#[from] OracleError),
+}
+
+impl From<BenchError> for Failure {
+    fn from(error: BenchError) -> Self {
+        match error {
+            BenchError::Gpu(error) => error.into(),
+            BenchError::Engine(error) => Self::engine(error),
+            other => Self::of(other),
+        }
+    }
 }
 
 impl BenchError {

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::app::arguments::{EXIT_CODES, crop, stops};
+use crate::app::values::{EXIT_CODES, crop, stops};
 use crate::components::Crop;
 use crate::image::{Kind, Output};
 
@@ -34,7 +34,7 @@ pub struct CompareArguments {
     #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = crop, allow_hyphen_values = true)]
     pub crop: Option<Crop>,
     /// Side of a block in pixels, at least 8 [default: the longer side in 16]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(i64::from(super::LEAST_SIDE)..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(i64::from(super::comparison::LEAST_SIDE)..))]
     pub block: Option<u32>,
     /// Brighten both by so many stops for FLIP and PSNR, -64 to 64
     #[arg(long, value_name = "STOPS", value_parser = stops, allow_hyphen_values = true, default_value_t = 0.0)]

@@ -4,8 +4,8 @@ use std::io::Write;
 
 use colorous::Color;
 
-use super::Comparison;
 use super::arguments::Heat;
+use super::comparison::Comparison;
 use crate::image::{Output, SaveError};
 use crate::stats::metrics::{comparable, relative_error};
 

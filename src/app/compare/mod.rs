@@ -1,6 +1,7 @@
 //! `lucerna compare`: a picture against a reference.
 
 mod arguments;
+mod comparison;
 #[cfg(feature = "flip")]
 mod flip;
 mod heat;
@@ -10,6 +11,7 @@ use glam::{IVec2, UVec2};
 
 pub use arguments::CompareArguments;
 use arguments::Heat;
+use comparison::{Comparison, HAS_FLIP, LEAST_SIDE, Side};
 
 use super::{Exit, Failure, output};
 use crate::components::Crop;
@@ -18,39 +20,8 @@ use crate::image::{Pixel, Source};
 use crate::stats::blocks::{Blocks, Grid};
 use crate::stats::metrics::{Census, Difference, comparable, peak_signal_to_noise};
 
-/// Whether FLIP is built in.
-const HAS_FLIP: bool = cfg!(feature = "flip");
-
-/// Side of the smallest block, pixels.
-pub const LEAST_SIDE: u32 = 8;
-
 /// Blocks along the longer side, where nothing else is asked for.
 const BLOCKS: u32 = 16;
-
-/// One of the two pictures, as far as it is compared.
-#[derive(Debug)]
-struct Side {
-    name: String,
-    pixels: Vec<Pixel>,
-    census: Census,
-}
-
-/// All that is known about the two.
-#[derive(Debug)]
-struct Comparison {
-    /// Pixels compared.
-    size: UVec2,
-    /// The first of them, in what --crop counts.
-    origin: IVec2,
-    a: Side,
-    b: Side,
-    difference: Difference,
-    blocks: Blocks,
-    /// Decibels; `None` for equal pictures.
-    psnr: Option<f64>,
-    /// FLIP of every pixel; empty where it is not built in.
-    flip: Vec<f32>,
-}
 
 /// Pictures that are not to be compared with each other.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -159,23 +130,6 @@ fn shown(picture: &[Pixel], other: &[Pixel], scale: f64) -> Vec<[u8; 3]> {
     let byte = |channel: f32| srgb_byte(f64::from(channel) * scale);
     let pixel = |(own, other): (&Pixel, &Pixel)| if comparable(*own, *other) { own.map(byte) } else { [0; 3] };
     picture.iter().zip(other).map(pixel).collect()
-}
-
-impl Comparison {
-    /// Mean FLIP over the compared pixels.
-    fn mean_flip(&self) -> Option<f64> {
-        let pixels = self.a.pixels.iter().zip(&self.b.pixels);
-        let good = self.flip.iter().zip(pixels).filter(|(_, (a, b))| comparable(**a, **b));
-        let sum: f64 = good.map(|(error, _)| f64::from(*error)).sum();
-        (!self.flip.is_empty()).then(|| sum / self.difference.pixels as f64)
-    }
-
-    /// z of the block that a pixel is in; 0 where it has none.
-    fn z_at(&self, pixel: usize) -> f64 {
-        let width = self.size.x as usize;
-        let block = self.blocks.block_of(UVec2::new((pixel % width) as u32, (pixel / width) as u32));
-        block.worst().map_or(0.0, |(z, _)| z)
-    }
 }
 
 fn by(size: UVec2) -> String {

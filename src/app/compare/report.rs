@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::arguments::{CompareArguments, MostZ};
-use super::{Comparison, HAS_FLIP, Side};
+use super::comparison::{Comparison, HAS_FLIP, Side};
 use crate::stats::blocks::Block;
 
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::JudgeError;
+use super::error::JudgeError;
 
 /// Runs from the start of all that a person waits for.
 #[derive(Clone)]

@@ -8,15 +8,15 @@ use std::time::Instant;
 use glam::UVec2;
 
 use super::clock::Clock;
+use super::error::JudgeError;
 use super::look::{End, Look, Verdict};
 use super::series::{Round, Series};
 use super::side::{Shot, Side};
 use super::sizing::{FIRST_SPP, fits, halved, is_cheap, pixels, resized, spp};
 use crate::components::Film;
-use crate::engine::EngineError;
 use crate::gpu::Gpu;
+use crate::passes::Makes;
 use crate::passes::table::TABLE;
-use crate::passes::{extend, lint};
 use crate::scene::SceneDescription;
 use crate::shader::{Features, Library, ShaderError};
 
@@ -34,19 +34,6 @@ pub const SECONDS: f64 = 30.0;
 
 /// The least difference of the whole picture that is to be found before anything else is said, where nothing else is asked for.
 pub const WITHIN: f64 = 0.005;
-
-/// Why nothing was judged.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-pub enum JudgeError {
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Shader(#[from] ShaderError),
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Engine(#[from] EngineError),
-    #[error("stopped before it was judged")]
-    Stopped,
-}
 
 /// How to judge.
 #[derive(Clone, Copy, Debug)]
@@ -303,9 +290,8 @@ impl Judge {
 
 /// Links all that an engine runs by both; fails on what is wrong with either.
 fn is_changed(old: &Library, new: &Library, features: &Features) -> Result<bool, ShaderError> {
-    let aside = [&extend::EXTEND, &extend::OCCLUDED, &lint::LINT].map(|pass| pass.module);
     let mut changed = false;
-    for pass in TABLE.iter().filter(|pass| !aside.contains(&pass.module)) {
+    for pass in TABLE.iter().filter(|pass| pass.makes != Makes::Answers) {
         changed |= old.link(pass.module, features)?.fingerprint() != new.link(pass.module, features)?.fingerprint();
     }
     Ok(changed)

@@ -3,6 +3,7 @@
 mod arguments;
 mod clock;
 mod core;
+mod error;
 mod look;
 mod mark;
 mod report;
@@ -10,13 +11,14 @@ mod series;
 mod side;
 pub mod sizing;
 
-pub use self::core::{Judge, JudgeError, Plan, SECONDS, WITHIN};
+pub use self::core::{Judge, Plan, SECONDS, WITHIN};
 pub use arguments::JudgeArguments;
+pub use error::JudgeError;
 pub use look::{End, Look, Unknown, Verdict};
 pub use mark::marked;
 pub use series::Estimator;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use super::failure::show;
@@ -146,9 +148,4 @@ impl From<JudgeError> for Failure {
             stopped @ JudgeError::Stopped => Self::of(stopped),
         }
     }
-}
-
-/// A folder's name as it is told.
-fn folder(path: Option<&Path>) -> String {
-    path.map_or("built in".to_owned(), |path| path.display().to_string())
 }

@@ -5,7 +5,6 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::arguments::JudgeArguments;
-use super::folder;
 use super::look::{End, Look, Unknown, Verdict};
 use super::series::Estimator;
 use crate::components::Film;
@@ -175,4 +174,9 @@ fn difference(at: &Difference) -> Value {
         "p": at.p,
         "differs": at.differs,
     })
+}
+
+/// A folder's name as it is told.
+fn folder(path: Option<&Path>) -> String {
+    path.map_or("built in".to_owned(), |path| path.display().to_string())
 }

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::JudgeError;
 use super::clock::Clock;
+use super::error::JudgeError;
 use crate::app::stage::Stage;
 use crate::components::{Film, Render};
 use crate::engine::EngineError;

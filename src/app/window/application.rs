@@ -9,7 +9,7 @@ use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::window::{Window, WindowId};
 
-use super::reason;
+use super::reason::reason;
 use super::session::{Opening, Session};
 use crate::app::{Exit, Failure, output};
 use crate::engine::EngineError;

@@ -2,7 +2,7 @@
 
 use winit::event_loop::EventLoop;
 
-use super::reason;
+use super::reason::reason;
 use crate::app::Failure;
 
 /// There is nothing to open a window on.

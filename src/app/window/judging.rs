@@ -9,10 +9,8 @@ use std::time::{Duration, Instant};
 use glam::UVec2;
 use winit::event_loop::EventLoopProxy;
 
-use super::session::Session;
 use crate::app::failure::rendered;
 use crate::app::judge::{Judge, JudgeError, Look, Plan, SECONDS, UNCHANGED, WITHIN, marked, standing};
-use crate::app::output;
 use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::Library;
@@ -49,7 +47,7 @@ pub struct Judging {
 
 impl Judging {
     /// Starts to judge. `wake` is called whenever there is something to take.
-    fn start(gpu: Arc<Gpu>, sides: [Library; 2], scene: SceneDescription, wake: EventLoopProxy<()>) -> Self {
+    pub fn start(gpu: Arc<Gpu>, sides: [Library; 2], scene: SceneDescription, wake: EventLoopProxy<()>) -> Self {
         let stop = Arc::new(AtomicBool::new(false));
         let (sender, words) = channel();
         let (exposure, told) = (scene.film.exposure, stop.clone());
@@ -77,7 +75,7 @@ impl Judging {
     }
 
     /// Takes what has come. Whether there was anything.
-    fn take(&mut self) -> bool {
+    pub fn take(&mut self) -> bool {
         let words: Vec<Word> = self.words.try_iter().collect();
         for word in &words {
             match word {
@@ -113,7 +111,7 @@ impl Judging {
 
 impl Judging {
     /// Ends it, without waiting for the thread: that may compile for a while yet.
-    fn end(mut self) -> Option<JoinHandle<()>> {
+    pub fn end(mut self) -> Option<JoinHandle<()>> {
         self.thread.take()
     }
 }
@@ -131,6 +129,14 @@ impl Drop for Judging {
 /// Threads that are told to end, and are waited for before the device goes.
 #[derive(Default)]
 pub struct Ending(Vec<JoinHandle<()>>);
+
+impl Ending {
+    /// Keeps a thread that was stopped, and forgets those that have ended.
+    pub fn wait_for(&mut self, thread: Option<JoinHandle<()>>) {
+        self.0.retain(|thread| !thread.is_finished());
+        self.0.extend(thread);
+    }
+}
 
 impl Drop for Ending {
     fn drop(&mut self) {
@@ -180,71 +186,5 @@ fn judge(
             return Ok(());
         }
         let _ = wake.send_event(());
-    }
-}
-
-impl Session {
-    /// Judges the last edit of the shaders, or ends that.
-    pub(super) fn toggle_judging(&mut self) {
-        if self.judging.is_some() {
-            self.end_judging();
-            self.notify("no longer judged".to_owned());
-            self.look_again();
-            return;
-        }
-        let Some(old) = self.old_shaders.clone() else {
-            return self.notify("nothing to judge yet: no edit has changed what is traced".to_owned());
-        };
-        let name = self.name().to_owned();
-        let scene = self.engine.describe(&name);
-        let sides = [old, self.shaders.clone()];
-        self.judging = Some(Judging::start(self.gpu.clone(), sides, scene, self.wake()));
-        self.draw_again();
-    }
-
-    /// Takes up what judging has found; says the verdict in the terminal too.
-    pub(super) fn take_judgement(&mut self) {
-        let Some(judging) = &mut self.judging else { return };
-        if !judging.take() {
-            return;
-        }
-        if !judging.is_under_way() {
-            output::note(&judging.line);
-        }
-        let shown = judging.split.clone().filter(|_| self.split);
-        self.overlay.show_split(shown);
-        self.draw_again();
-    }
-
-    /// What is judged is the scene as it was: judging ends when that changes.
-    pub(super) fn end_judging(&mut self) {
-        if let Some(judging) = self.judging.take() {
-            self.ending.0.retain(|thread| !thread.is_finished());
-            self.ending.0.extend(judging.end());
-            self.overlay.show_split(None);
-        }
-    }
-
-    /// Shows the pictures of before and after side by side, or ends that.
-    pub(super) fn toggle_split(&mut self) {
-        self.split = !self.split;
-        let shown = self.judging.as_ref().and_then(|judging| judging.split.clone()).filter(|_| self.split);
-        if self.split && shown.is_none() {
-            self.notify("before and after, once judged (J)".to_owned());
-        }
-        self.overlay.show_split(shown);
-        self.draw_again();
-    }
-
-    /// Remembers the shaders from before an edit that changed what is traced.
-    pub(super) fn take_shaders(&mut self, traces: bool) {
-        let now = self.engine.library();
-        // What was taken back is not there to be judged.
-        self.old_shaders = self.old_shaders.take().filter(|old| !old.is_same(&now));
-        if traces && !now.is_same(&self.shaders) {
-            self.old_shaders = Some(std::mem::replace(&mut self.shaders, now));
-        } else {
-            self.shaders = now;
-        }
     }
 }

@@ -1,4 +1,4 @@
-//! `lucerna view`: a window that traces progressively, and lets a person move.
+//! `lucerna view`: a window that traces progressively, and lets a user move.
 //!
 //! The same schedule as headless: each frame takes up what changed, runs one step of the engine for a few milliseconds, and
 //! draws the picture there is. A finished film of an unchanged scene does nothing at all: no step, no frame.
@@ -6,28 +6,32 @@
 //! | file | what it holds |
 //! |---|---|
 //! | `display`, `wayland` | which display it opens on |
+//! | `reason` | why the window library failed, in words for a user |
 //! | `application` | the window library's events, and when to wake |
 //! | `session`, `frame` | a window with an engine: what it keeps; one frame |
 //! | `intents` | what each key and gesture does |
 //! | `controls`, `keys` | events to intents; the table of keys |
 //! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
-//! | `saves`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
+//! | `saves`, `judging`, `judge` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
 //! | `panel` | numbers, curves, sliders |
 
 mod application;
+mod arguments;
 mod cameras;
 mod controls;
 mod display;
 pub mod flight;
 mod frame;
 mod intents;
+mod judge;
 mod judging;
 pub mod keys;
 pub mod navigate;
 mod overlay;
 pub mod pace;
 mod panel;
+mod reason;
 mod saves;
 mod screen;
 mod session;
@@ -35,10 +39,10 @@ mod snapshot;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod wayland;
 
-use super::arguments::ViewArguments;
 use super::{Exit, Failure};
 
 use application::Application;
+pub use arguments::ViewArguments;
 pub use display::has_display;
 use session::Opening;
 
@@ -46,15 +50,6 @@ use session::Opening;
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("the window's events ended: {0}")]
 struct Ended(winit::error::EventLoopError);
-
-/// What a person needs to know of an error of the window library, which names places in its own source.
-fn reason(error: &impl std::fmt::Display) -> String {
-    let text = error.to_string();
-    match text.strip_prefix("os error at ").and_then(|rest| rest.split_once(": ")) {
-        Some((_, reason)) => reason.to_owned(),
-        None => text,
-    }
-}
 
 /// Opens a window on a scene, and returns once it is closed.
 pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::navigate;
-use crate::app::report;
+use crate::app::render::report;
 use crate::components::Film;
 use crate::engine::FilmImage;
 use crate::image::{Kind, Output, Outputs, Picture, SaveError};

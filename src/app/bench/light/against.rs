@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use super::read::read_json;
 use super::record::{Bench, ConfigurationRecord, SceneRecord, Snapshot};
 use crate::app::bench::BenchError;
 use crate::stats::summary::Welch;
@@ -43,7 +44,7 @@ pub struct Verdict {
 
 /// Reads an earlier benchmark.
 pub fn read(path: &Path) -> Result<Bench, BenchError> {
-    super::read_json(path)
+    read_json(path)
 }
 
 /// Compares what both have: log efficiency over the seeds, by Welch's test, one-sided in both directions. `tolerance` is

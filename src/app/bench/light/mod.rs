@@ -9,11 +9,11 @@ pub mod configuration;
 mod key;
 mod measure;
 pub mod plot;
+mod read;
 pub mod record;
 mod reference;
 pub mod tables;
 
-use std::path::Path;
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -25,7 +25,6 @@ use crate::app::interrupt::Interrupt;
 use crate::app::progress::{Goal, Meter};
 use crate::app::stage::{Stage, Watch};
 use crate::app::{Exit, Failure, output};
-use crate::files;
 use crate::gpu::Gpu;
 use crate::image::file;
 use crate::scene::{self, SceneDescription};
@@ -36,8 +35,6 @@ use reference::{Reference, Shelf};
 
 /// The files that are written, beside the plots.
 const FILES: [&str; 3] = ["bench.json", "bench.csv", "bench.md"];
-/// Bytes that a file of an earlier benchmark may have.
-const LIMIT: u64 = 256 << 20;
 
 /// A scene to be measured.
 struct Subject {
@@ -217,10 +214,4 @@ fn tell(bench: &Bench, arguments: &LightArguments, earlier: Option<&Bench>) -> R
     }
     let passed = verdict.is_none_or(|verdict| verdict.passed());
     Ok(if passed && whole { Exit::Done } else { Exit::Failed })
-}
-
-/// Reads a file of an earlier benchmark, or of anything else in JSON.
-fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, BenchError> {
-    let bytes = files::read(path, LIMIT).map_err(|source| BenchError::file(path, source))?;
-    serde_json::from_slice(&bytes).map_err(|source| BenchError::Earlier { path: path.to_path_buf(), source })
 }

@@ -7,6 +7,7 @@ use std::time::Instant;
 use bevy_ecs::prelude::World;
 
 use super::configuration::Configuration;
+use super::read::read_json;
 use super::record::ReferenceRecord;
 use crate::app::bench::BenchError;
 use crate::app::progress::{Goal, Meter};
@@ -47,7 +48,7 @@ impl Shelf {
 
     /// The reference, if it is there, whole, of the scene's size, and of enough samples.
     pub fn find(&self, film: &Film, spp: u32) -> Option<Reference> {
-        let record: ReferenceRecord = super::read_json(&self.record).ok()?;
+        let record: ReferenceRecord = read_json(&self.record).ok()?;
         let size = film.window().size();
         let picture = Source::open(&self.picture).ok()?;
         let fits = picture.size == size && record.key == self.key && record.spp >= spp;

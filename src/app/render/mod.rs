@@ -1,20 +1,24 @@
 //! `lucerna render`: drives the schedule until the film is finished, and saves it.
 
+mod arguments;
+pub mod report;
+
+pub use arguments::RenderArguments;
+
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::arguments::RenderArguments;
-use super::compiling::watch_compiling;
-use super::failure::show;
-use super::interrupt::Interrupt;
-use super::progress::{Goal, Meter};
-use super::report::{Account, Seconds};
-use super::scene::Opened;
-use super::{Exit, Failure, output};
+use crate::app::compiling::watch_compiling;
+use crate::app::failure::show;
+use crate::app::interrupt::Interrupt;
+use crate::app::progress::{Goal, Meter};
+use crate::app::scene::Opened;
+use crate::app::{Exit, Failure, output};
 use crate::engine::Engine;
 use crate::gpu::Gpu;
 use crate::image::{Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
+use report::{Account, Seconds};
 
 /// Tracing between two looks at the clock and at signals.
 const STEP: Duration = Duration::from_millis(100);
@@ -30,7 +34,7 @@ enum Ended {
 }
 
 /// Loads, renders, saves and reports. `started` is when the process began.
-pub fn render(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
+pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let begin = Instant::now();
     let Opened { path, mut description, files } = arguments.flags.open(&arguments.scene, arguments.quiet)?;

@@ -209,28 +209,28 @@ fn crop(window: Crop) -> String {
     format!("{},{},{},{}", window.min.x, window.max.x, window.min.y, window.max.y)
 }
 
-pub(super) fn integrator(integrator: Integrator) -> &'static str {
+pub fn integrator(integrator: Integrator) -> &'static str {
     match integrator {
         Integrator::Path => "path",
         Integrator::Bsdf => "bsdf",
     }
 }
 
-pub(super) fn sampler(sampler: Sampler) -> &'static str {
+pub fn sampler(sampler: Sampler) -> &'static str {
     match sampler {
         Sampler::Sobol => "sobol",
         Sampler::Pcg => "pcg",
     }
 }
 
-pub(super) fn energy(energy: Energy) -> &'static str {
+pub fn energy(energy: Energy) -> &'static str {
     match energy {
         Energy::Preserve => "Preserve",
         Energy::AsWritten => "AsWritten",
     }
 }
 
-pub(super) fn switch(on: bool) -> &'static str {
+pub fn switch(on: bool) -> &'static str {
     if on { "on" } else { "off" }
 }
 

@@ -1,0 +1,31 @@
+//! What `lucerna render` accepts.
+
+use clap::Args;
+
+use crate::app::scene::SceneFlags;
+use crate::app::values::{EXIT_CODES, output, seconds};
+use crate::image::Output;
+
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+pub struct RenderArguments {
+    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
+    pub scene: String,
+    #[command(flatten)]
+    pub flags: SceneFlags,
+    /// Render for so many seconds instead (with --spp: whichever comes first)
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
+    /// Write to this file: .png, .exr or .json; may be given several times [default: result/SCENE.png, .exr and .json]
+    #[arg(short, value_name = "FILE", value_parser = output)]
+    pub output: Vec<Output>,
+    /// Print the time of every pass
+    #[arg(long)]
+    pub stats: bool,
+    /// Print the report to stdout as one JSON object, and nothing else there
+    #[arg(long)]
+    pub json: bool,
+    /// No progress, and no warnings
+    #[arg(long, short)]
+    pub quiet: bool,
+}

@@ -1,0 +1,112 @@
+//! What values of several commands' flags may be. Whatever is out of range is refused here, with exit code 2.
+
+use clap::ValueEnum;
+use glam::UVec2;
+
+use crate::components::{Crop, Film, Integrator, Sampler};
+use crate::image::Output;
+
+/// What ends every help text.
+pub const EXIT_CODES: &str = "\
+Exit codes:
+  0    done
+  1    wrong input, or an error on the way
+  2    the command line means nothing
+  3    no graphics adapter that can be used: see `lucerna doctor`
+  4    compared pictures differ by more than a --max flag allows
+  5    judged shaders have another mean
+  6    whether judged shaders have another mean can't be told yet
+  130  interrupted; what there was, if anything, has been written";
+
+/// Integrators by their names on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum IntegratorName {
+    /// Lights are asked directly too, and both ways are weighted together
+    Path,
+    /// Directions from the BSDF alone; light is found by hitting it
+    Bsdf,
+}
+
+impl From<IntegratorName> for Integrator {
+    fn from(name: IntegratorName) -> Self {
+        match name {
+            IntegratorName::Path => Integrator::Path,
+            IntegratorName::Bsdf => Integrator::Bsdf,
+        }
+    }
+}
+
+/// Samplers by their names on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum SamplerName {
+    /// Evenly spread points: a scrambled (0, 4)-sequence
+    Sobol,
+    /// Independent numbers
+    Pcg,
+}
+
+impl From<SamplerName> for Sampler {
+    fn from(name: SamplerName) -> Self {
+        match name {
+            SamplerName::Sobol => Sampler::Sobol,
+            SamplerName::Pcg => Sampler::Pcg,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Switch {
+    On,
+    Off,
+}
+
+/// A length of time, seconds.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds > 0.0 && seconds <= 1e7 => Ok(seconds),
+        _ => Err("expected seconds above 0, at most 1e7".into()),
+    }
+}
+
+/// An exposure.
+pub fn stops(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        Ok(stops) if stops.abs() <= 64.0 => Ok(stops),
+        _ => Err("expected a number from -64 to 64".into()),
+    }
+}
+
+/// A size in pixels, `WIDTHxHEIGHT`.
+pub fn size(text: &str) -> Result<UVec2, String> {
+    let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some(UVec2::new(w.parse().ok()?, h.parse().ok()?)));
+    match sides {
+        Some(size) if size.min_element() >= 1 && size.max_element() <= Film::MAX_SIDE => Ok(size),
+        _ => Err(format!("expected WIDTHxHEIGHT, each from 1 to {}", Film::MAX_SIDE)),
+    }
+}
+
+/// A rectangle of pixels.
+pub fn crop(text: &str) -> Result<Crop, String> {
+    let numbers: Option<Vec<u32>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x0, x1, y0, y1]) if x0 < x1 && y0 < y1 => Ok(Crop { min: UVec2::new(x0, y0), max: UVec2::new(x1, y1) }),
+        _ => Err("expected X0,X1,Y0,Y1 in pixels, with X0 < X1 and Y0 < Y1".into()),
+    }
+}
+
+/// `KEY=VALUE`.
+pub fn define(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
+        _ => Err("expected KEY=VALUE, such as materials.ball.ns=64".into()),
+    }
+}
+
+/// A file to be written.
+pub fn output(text: &str) -> Result<Output, String> {
+    use miette::Diagnostic;
+    Output::new(text).map_err(|error| match error.help() {
+        Some(help) => format!("{error}; {help}"),
+        None => error.to_string(),
+    })
+}

@@ -1,0 +1,25 @@
+//! What `lucerna view` accepts.
+
+use clap::Args;
+
+use crate::app::scene::SceneFlags;
+use crate::app::values::EXIT_CODES;
+
+/// The scene that opens where none is named.
+pub const DEFAULT_SCENE: &str = "cornell-box";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+pub struct ViewArguments {
+    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
+    #[arg(default_value = DEFAULT_SCENE)]
+    pub scene: String,
+    #[command(flatten)]
+    pub flags: SceneFlags,
+}
+
+impl Default for ViewArguments {
+    fn default() -> Self {
+        Self { scene: DEFAULT_SCENE.to_owned(), flags: SceneFlags::default() }
+    }
+}
