@@ -28,22 +28,6 @@ const EXCEPTIONS: &[&str] = &[
     "shader::message",
     "shader::reflect",
     "shader::seek",
-    "systems",
-    "systems::accumulate",
-    "systems::build",
-    "systems::extract",
-    "systems::extract::film",
-    "systems::extract::lights",
-    "systems::extract::materials",
-    "systems::extract::meshes",
-    "systems::extract::settings",
-    "systems::extract::shot",
-    "systems::extract::sky",
-    "systems::present",
-    "systems::reload",
-    "systems::submit",
-    "systems::trace",
-    "systems::upload",
 ];
 
 /// Modules by their paths, `""` the crate itself, and their code without comments.

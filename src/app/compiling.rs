@@ -34,7 +34,7 @@ pub fn watch_compiling(show: impl Fn(u64) + Clone + Send + Sync + 'static) -> im
     }
 }
 
-/// The line for people; where nothing can be written over, it is shown at 1, 10, 20, .. seconds.
+/// The line for users; where nothing can be written over, it is shown at 1, 10, 20, .. seconds.
 pub fn line(seconds: u64) -> String {
     format!("compiling shaders, {seconds} s (a driver keeps them for later runs)")
 }

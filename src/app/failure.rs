@@ -149,7 +149,7 @@ pub fn show(diagnostic: &dyn miette::Diagnostic) {
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// `file:line:column: error: message`, the source line with a mark below it, and the help: what editors and people can
+/// `file:line:column: error: message`, the source line with a mark below it, and the help: what editors and users can
 /// both follow. Ends with a line break.
 pub fn rendered(diagnostic: &dyn miette::Diagnostic, colour: bool) -> String {
     let whole = diagnostic.to_string();

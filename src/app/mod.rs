@@ -15,7 +15,7 @@ mod output;
 mod progress;
 mod render;
 mod scene;
-mod stage;
+mod tracer;
 mod values;
 mod watch;
 pub mod window;

@@ -173,7 +173,7 @@ impl Meter {
     }
 }
 
-/// Seconds as people read them: `12 s`, `3:07`, `2:03:07`.
+/// Seconds as users read them: `12 s`, `3:07`, `2:03:07`.
 pub fn clock(seconds: f64) -> String {
     let whole = seconds.clamp(0.0, 1e9).ceil() as u64;
     match (whole / 3600, whole / 60 % 60, whole % 60) {

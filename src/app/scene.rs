@@ -11,7 +11,7 @@ use super::values::{IntegratorName, SamplerName, Switch, crop, define, size, sto
 use crate::components::{Crop, Render};
 use crate::scene::{self, SceneDescription};
 use crate::shader::{Library, ShaderError};
-use crate::watch::{SceneFile, Sources};
+use crate::watch::{Sources, WatchedScene};
 
 /// What every command that draws a scene takes beside its name.
 #[derive(Args, Clone, Debug, Default)]
@@ -94,7 +94,7 @@ impl SceneFlags {
         let flags = self.clone();
         // A flag that does not fit the edited scene is left out: the rest of the scene is worth seeing.
         let adjust = Box::new(move |description: &mut SceneDescription| drop(flags.adjust(description)));
-        let file = SceneFile { path: opened.path, defines: self.define.clone(), adjust };
+        let file = WatchedScene { path: opened.path, defines: self.define.clone(), adjust };
         Sources {
             shaders: self.shader_folder().map(|folder| (folder.to_path_buf(), library)),
             scene: Some((file, opened.description, opened.files)),

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Gpu, GpuError, room};
+use super::{Gpu, GpuError};
 use crate::layout::trace::MaterialRecord;
 
 /// The storage buffers that passes name. A buffer grows when more is asked of it, and then loses what it held.
@@ -46,7 +46,7 @@ impl Buffers {
             return Ok(false);
         }
         self.named.remove(name);
-        let buffer = gpu.guarded(&format!("buffer `{name}` of {size} bytes"), || {
+        let buffer = gpu.guarded_room(name, &format!("buffer `{name}` of {size} bytes"), || {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(name),
                 size,
@@ -56,10 +56,6 @@ impl Buffers {
                     | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             })
-        });
-        let buffer = buffer.map_err(|error| match error {
-            GpuError::OutOfMemory { what, .. } => GpuError::OutOfMemory { what, smaller: room::smaller(name) },
-            other => other,
         })?;
         self.named.insert(name, Slot { buffer, bytes, size, generation });
         Ok(true)

@@ -202,6 +202,11 @@ impl Gpu {
 
     /// Runs `work` so that any error wgpu raises in it comes back as a value.
     pub fn guarded<T>(&self, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
+        self.guarded_room("", what, work)
+    }
+
+    /// The same of work that makes room for a buffer of a name: without memory, the error says what makes that one smaller.
+    pub fn guarded_room<T>(&self, buffer: &str, what: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let internal = self.device.push_error_scope(wgpu::ErrorFilter::Internal);
@@ -212,7 +217,7 @@ impl Gpu {
             }
         }
         match pollster::block_on(memory.pop()) {
-            Some(_) => Err(GpuError::OutOfMemory { what: what.to_owned(), smaller: room::smaller(what) }),
+            Some(_) => Err(GpuError::OutOfMemory { what: what.to_owned(), smaller: room::smaller(buffer) }),
             None => Ok(value),
         }
     }

@@ -2,7 +2,7 @@
 
 use bevy_ecs::prelude::*;
 
-use super::Phase;
+use super::phase::Phase;
 use super::resources::{Batch, FilmProgress, Frame, Shot};
 use super::run::counted;
 use crate::passes::film;

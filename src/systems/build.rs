@@ -3,8 +3,8 @@
 use bevy_ecs::prelude::*;
 use glam::Vec3;
 
-use super::Phase;
 use super::error::EngineError;
+use super::phase::Phase;
 use super::resources::{Device, Frame, Tree, TreeBuilder};
 use super::run::counted;
 use crate::cpu;

@@ -8,9 +8,11 @@ mod accumulate;
 mod build;
 mod error;
 mod extract;
+mod phase;
 pub mod present;
 mod reload;
 pub mod resources;
+mod restart;
 mod run;
 mod submit;
 mod trace;
@@ -20,35 +22,15 @@ use bevy_ecs::prelude::*;
 
 pub use error::{EngineError, Fault};
 pub use reload::{Reload, go_back};
+pub use restart::{restart_film, start_again};
 pub use run::Entered;
 
 use crate::components::Film;
+use phase::Phase;
 use resources::{
     Batch, CompileListener, Everything, Exposure, FilmProgress, Frame, Governor, LightDensity, Live, Policy,
     SceneGeometry, Shot, Sky, Spent, Target, Tree, Viewed,
 };
-
-/// The phases, in order.
-#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Phase {
-    /// Puts in place what was saved and compiled since the last run.
-    Reload,
-    /// Components to tables and parameters, and what they make start anew.
-    Extract,
-    /// Tables to buffers.
-    Upload,
-    /// Records Morton codes to tree, where there is none of the triangles as they are.
-    Build,
-    /// Records a batch of samples, where the film is not finished.
-    Trace,
-    /// Records their addition to the film.
-    Accumulate,
-    /// Records the picture of a finished film, or of any that is watched, where that or the way it is shown changed;
-    /// or a view of what is seen first.
-    Present,
-    /// Plays what was recorded, and learns from the time it took.
-    Submit,
-}
 
 /// The one schedule.
 pub fn schedule() -> Schedule {
@@ -105,18 +87,4 @@ pub fn insert_resources(world: &mut World) {
     world.init_resource::<Live>();
     world.init_resource::<Viewed>();
     world.init_resource::<Governor>();
-}
-
-/// Has everything extracted, sent and traced anew: what was extracted may not have been sent, nor what was recorded have run.
-pub fn start_again(world: &mut World) {
-    world.resource_mut::<Everything>().0 = true;
-    upload::send_tables_again(world);
-    world.resource_mut::<Tree>().built = false;
-    restart_film(world);
-}
-
-/// Has the film start anew.
-pub fn restart_film(world: &mut World) {
-    let mut films = world.query::<&mut FilmProgress>();
-    films.iter_mut(world).for_each(|mut progress| progress.restart());
 }

@@ -3,7 +3,7 @@
 
 use bevy_ecs::prelude::*;
 
-use super::Phase;
+use super::phase::Phase;
 use super::resources::{Exposure, FilmProgress, Frame, Live, SceneGeometry, Shot, Target, Viewed};
 use super::run::counted;
 use crate::layout::view::{ViewMode, ViewParams};

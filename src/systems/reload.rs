@@ -7,8 +7,9 @@ use bevy_ecs::prelude::*;
 use bevy_ecs::system::SystemParam;
 
 use super::error::{EngineError, no_fault};
+use super::phase::Phase;
 use super::resources::{Batch, Device, Exposure, FilmProgress, Governor, MaterialSlot, Tree};
-use super::{Phase, start_again};
+use super::restart::start_again;
 use crate::components::Name;
 use crate::gpu::{Code, Compiler, GpuError, GpuTable};
 use crate::layout::trace::MaterialRecord;

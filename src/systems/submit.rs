@@ -5,9 +5,9 @@ use std::time::Instant;
 use bevy_ecs::prelude::*;
 use bevy_ecs::system::SystemParam;
 
-use super::Phase;
 use super::build::make_tree;
 use super::error::EngineError;
+use super::phase::Phase;
 use super::resources::{Batch, CompileListener, Device, Frame, Governor, Shot, Spent, Tree, TreeBuilder};
 use super::run::counted;
 use crate::gpu::{GpuTable, Runtime};

@@ -2,8 +2,8 @@
 
 use bevy_ecs::prelude::*;
 
-use super::Phase;
 use super::error::EngineError;
+use super::phase::Phase;
 use super::resources::{Batch, Budget, Device, FilmProgress, Frame, Governor, Shot, Target};
 use super::run::counted;
 use crate::layout::trace::TraceParams;

@@ -2,8 +2,8 @@
 
 use bevy_ecs::prelude::*;
 
-use super::Phase;
 use super::error::EngineError;
+use super::phase::Phase;
 use super::resources::{Device, FilmProgress, Shot, SkyCell};
 use super::run::counted;
 use crate::gpu::{GpuTable, TableRow};

@@ -15,7 +15,7 @@ use crate::scene::{self, Loaded, SceneDescription};
 pub type Adjust = Box<dyn Fn(&mut SceneDescription) + Send>;
 
 /// A scene file, and how it is read.
-pub struct SceneFile {
+pub struct WatchedScene {
     pub path: PathBuf,
     /// As for [`scene::load`].
     pub defines: Vec<(String, String)>,
@@ -25,7 +25,7 @@ pub struct SceneFile {
 
 /// The files of a scene as they were last seen.
 pub struct SceneFiles {
-    scene: SceneFile,
+    scene: WatchedScene,
     seen: BTreeMap<PathBuf, Seen>,
 }
 
@@ -39,7 +39,7 @@ struct Seen {
 
 impl SceneFiles {
     /// `files` are those that were read for what runs now.
-    pub fn new(scene: SceneFile, files: &[PathBuf]) -> Self {
+    pub fn new(scene: WatchedScene, files: &[PathBuf]) -> Self {
         let mut this = Self { scene, seen: BTreeMap::new() };
         this.see(files);
         this

@@ -20,7 +20,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 
-pub use assets::{Adjust, SceneFile};
+pub use assets::{Adjust, WatchedScene};
 pub use event::{Problem, ReloadEvent, Restarts};
 pub use linter::{Linter, Wake};
 pub use message::{News, Outcome};
@@ -41,7 +41,7 @@ pub struct Sources {
     /// The folder that the engine's library was read from.
     pub shaders: Option<(PathBuf, Library)>,
     /// The scene file, what it gave, and the files it was read from.
-    pub scene: Option<(SceneFile, SceneDescription, Vec<PathBuf>)>,
+    pub scene: Option<(WatchedScene, SceneDescription, Vec<PathBuf>)>,
 }
 
 /// A worker that watches, as long as this lives.

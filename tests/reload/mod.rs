@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 use lucerna::scene;
 use lucerna::shader::Library;
-use lucerna::watch::{ReloadEvent, SceneFile, Sources};
+use lucerna::watch::{ReloadEvent, Sources, WatchedScene};
 use lucerna::{Engine, FilmImage};
 
 use crate::support;
@@ -82,7 +82,7 @@ impl Bench {
         let loaded = scene::load(&path, &[]).unwrap();
         let library = Library::open(&root.join("shaders")).unwrap();
         let mut engine = Engine::open(support::gpu(), library.clone(), &loaded.description).unwrap();
-        let file = SceneFile { path, defines: Vec::new(), adjust: Box::new(|_| {}) };
+        let file = WatchedScene { path, defines: Vec::new(), adjust: Box::new(|_| {}) };
         let sources = Sources {
             shaders: Some((root.join("shaders"), library)),
             scene: Some((file, loaded.description, loaded.files)),

@@ -44,7 +44,7 @@ pub fn exceeded(comparison: &Comparison, arguments: &CompareArguments) -> Vec<St
     lines
 }
 
-/// The lines for people.
+/// The lines for users.
 pub fn text(comparison: &Comparison, arguments: &CompareArguments) -> String {
     let (a, b, difference) = (&comparison.a, &comparison.b, &comparison.difference);
     let mut text = format!("{} against {}: {}x{}", a.name, b.name, comparison.size.x, comparison.size.y);

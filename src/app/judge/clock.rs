@@ -1,4 +1,4 @@
-//! What ends judging from outside: the time, and a person.
+//! What ends judging from outside: the time, and a user.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use super::error::JudgeError;
 
-/// Runs from the start of all that a person waits for.
+/// Runs from the start of all that a user waits for.
 #[derive(Clone)]
 pub struct Clock {
     begin: Instant,
@@ -30,7 +30,7 @@ impl Clock {
         self.seconds.map(|seconds| (seconds - self.elapsed()).max(0.0))
     }
 
-    /// Whether the time is over; an error where a person gave up.
+    /// Whether the time is over; an error where a user gave up.
     pub fn is_over(&self) -> Result<bool, JudgeError> {
         if self.stop.load(Ordering::Relaxed) {
             return Err(JudgeError::Stopped);

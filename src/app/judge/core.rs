@@ -7,9 +7,9 @@ use std::time::Instant;
 
 use glam::UVec2;
 
+use super::analysis::{Analysis, End, Verdict};
 use super::clock::Clock;
 use super::error::JudgeError;
-use super::look::{End, Look, Verdict};
 use super::series::{Round, Series};
 use super::side::{Shot, Side};
 use super::sizing::{FIRST_SPP, fits, halved, is_cheap, pixels, resized, spp};
@@ -20,8 +20,8 @@ use crate::passes::table::TABLE;
 use crate::scene::SceneDescription;
 use crate::shader::{Features, Library, ShaderError};
 
-/// Films of each at the first look; each later one is at twice as many.
-const FIRST_LOOK: usize = 4;
+/// Films of each at the first analysis; each later one is at twice as many.
+const FIRST_ANALYSIS: usize = 4;
 
 /// Films of each before a narrow interval may end it.
 const LEAST_FILMS: usize = 64;
@@ -58,7 +58,7 @@ pub struct Plan {
 
 /// What the next films are for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stage {
+enum Purpose {
     /// To compile, and to learn what a sample costs.
     WarmUp,
     /// The smallest ones: what is badly wrong shows in no time.
@@ -82,10 +82,10 @@ pub struct Judge {
     /// From the smallest to that of the scene, and which of them is traced.
     films: Vec<Film>,
     level: usize,
-    stage: Stage,
+    purpose: Purpose,
     /// What is compared now.
     series: Series,
-    next_look: usize,
+    next_analysis: usize,
     /// Films begun so far, of both: each has a seed of its own.
     begun: u32,
 }
@@ -112,8 +112,8 @@ impl Judge {
         let clock = Clock::new(plan.begin, seconds, stop);
         let black = vec![[0.0; 3]; pixels(&films[0]) as usize];
         let series = Series::new(films[0], 1, &[black.clone(), black], plan.alpha);
-        let (level, stage, next_look, begun) = (0, Stage::WarmUp, FIRST_LOOK, 1);
-        Ok(Self { sides, plan, clock, changed, films, level, stage, series, next_look, begun })
+        let (level, purpose, next_analysis, begun) = (0, Purpose::WarmUp, FIRST_ANALYSIS, 1);
+        Ok(Self { sides, plan, clock, changed, films, level, purpose, series, next_analysis, begun })
     }
 
     /// Whether the scene runs other code by the new shaders, beyond comments and white space.
@@ -141,38 +141,38 @@ impl Judge {
         self.clock.left()
     }
 
-    /// Traces two more films of each, and looks at all there are if it is time to.
-    pub fn advance(&mut self) -> Result<Option<Look>, JudgeError> {
-        if self.stage == Stage::WarmUp {
+    /// Traces two more films of each, and analyses all there are if it is time to.
+    pub fn advance(&mut self) -> Result<Option<Analysis>, JudgeError> {
+        if self.purpose == Purpose::WarmUp {
             return self.warm_up();
         }
-        if self.stage == Stage::Scout && self.series.tells() {
+        if self.purpose == Purpose::Scout && self.series.tells() {
             self.settle();
         }
         let begin = Instant::now();
-        let Some(round) = self.round()? else { return Ok(Some(self.look())) };
+        let Some(round) = self.round()? else { return Ok(Some(self.analyse())) };
         self.series.add(&round);
         self.series.seconds += begin.elapsed().as_secs_f64();
-        let due = match self.stage {
-            Stage::Grow => {
+        let due = match self.purpose {
+            Purpose::Grow => {
                 self.settle();
                 false
             }
-            Stage::Scout => self.series.tells(),
-            Stage::WarmUp | Stage::Judge => self.series.films() >= self.next_look,
+            Purpose::Scout => self.series.tells(),
+            Purpose::WarmUp | Purpose::Judge => self.series.films() >= self.next_analysis,
         };
-        Ok((due || self.limit_reached().is_some()).then(|| self.look()))
+        Ok((due || self.limit_reached().is_some()).then(|| self.analyse()))
     }
 
-    /// Looks at all films there are. Each look spends part of alpha.
-    pub fn look(&mut self) -> Look {
+    /// Analyses all films there are. Each analysis spends part of alpha.
+    pub fn analyse(&mut self) -> Analysis {
         let films = self.series.films();
-        while self.next_look <= films {
-            self.next_look *= 2;
+        while self.next_analysis <= films {
+            self.next_analysis *= 2;
         }
-        let means = self.series.look();
+        let means = self.series.analyse();
         let ratio = self.series.ratio();
-        let mut look = Look {
+        let mut analysis = Analysis {
             films,
             spp: self.series.spp,
             size: self.size(),
@@ -184,12 +184,12 @@ impl Judge {
             ended: None,
         };
         let narrow = films >= LEAST_FILMS && ratio.is_none_or(|ratio| ratio.spread() <= NARROW);
-        look.ended = match look.means.differ() {
+        analysis.ended = match analysis.means.differ() {
             true => Some(End::Differ),
-            false if self.stage == Stage::Judge && narrow && look.is_fine() => Some(End::Narrow),
+            false if self.purpose == Purpose::Judge && narrow && analysis.is_fine() => Some(End::Narrow),
             false => self.limit_reached(),
         };
-        look
+        analysis
     }
 
     /// Mean radiance of all films by the old and by the new shaders, row by row from the top of the film's window.
@@ -202,7 +202,7 @@ impl Judge {
     }
 
     fn limit_reached(&self) -> Option<End> {
-        let most = self.plan.films.filter(|_| self.stage == Stage::Judge);
+        let most = self.plan.films.filter(|_| self.purpose == Purpose::Judge);
         match self.clock.left() {
             Some(0.0) => Some(End::Time),
             _ if most.is_some_and(|most| self.series.films() >= most as usize) => Some(End::Films),
@@ -211,19 +211,19 @@ impl Judge {
     }
 
     /// Compiles the new shaders too, and traces a film of each to learn what a sample costs.
-    fn warm_up(&mut self) -> Result<Option<Look>, JudgeError> {
+    fn warm_up(&mut self) -> Result<Option<Analysis>, JudgeError> {
         let film = self.films[0];
         // The first of them compiles.
         let (Some(_), Some(old)) = (self.shoot(1, film, 1)?, self.shoot(0, film, 1)?) else {
-            return Ok(Some(self.look()));
+            return Ok(Some(self.analyse()));
         };
         let begin = Instant::now();
-        let Some(new) = self.shoot(1, film, 1)? else { return Ok(Some(self.look())) };
+        let Some(new) = self.shoot(1, film, 1)? else { return Ok(Some(self.analyse())) };
         self.sides.iter_mut().for_each(|side| side.bad_samples = 0);
         let cost = begin.elapsed().as_secs_f64() / pixels(&film) as f64;
         let pilot = [old.radiance, new.radiance];
         self.series = Series::new(film, 1, &pilot, self.plan.alpha);
-        self.stage = Stage::Scout;
+        self.purpose = Purpose::Scout;
         if self.plan.whole {
             self.choose(cost, pilot);
         }
@@ -246,25 +246,25 @@ impl Judge {
             false => fits(&self.films[next], first_spp, cost, seconds),
         };
         if self.level < last && grows {
-            return self.begin(Stage::Grow, next, first_spp, pilot);
+            return self.begin(Purpose::Grow, next, first_spp, pilot);
         }
         let level = if self.plan.whole { last } else { self.level };
         let spp = self.plan.spp.unwrap_or_else(|| spp(&self.films[level], cost, seconds));
         // The scout's films count on where they are as they are to be.
-        if self.stage == Stage::Scout && (level, spp) == (self.level, self.series.spp) {
-            self.stage = Stage::Judge;
+        if self.purpose == Purpose::Scout && (level, spp) == (self.level, self.series.spp) {
+            self.purpose = Purpose::Judge;
             return;
         }
-        self.begin(Stage::Judge, level, spp, pilot);
+        self.begin(Purpose::Judge, level, spp, pilot);
     }
 
     /// Begins films of another kind, with what is left of alpha.
-    fn begin(&mut self, stage: Stage, level: usize, spp: u32, pilot: [Vec<[f32; 3]>; 2]) {
+    fn begin(&mut self, purpose: Purpose, level: usize, spp: u32, pilot: [Vec<[f32; 3]>; 2]) {
         let film = self.films[level];
         let (from, to) = (self.size(), film.window().size());
         let pilot = pilot.map(|picture| resized(&picture, from, to));
         self.series = Series::new(film, spp, &pilot, self.series.alpha_left());
-        (self.stage, self.level, self.next_look) = (stage, level, FIRST_LOOK);
+        (self.purpose, self.level, self.next_analysis) = (purpose, level, FIRST_ANALYSIS);
     }
 
     /// New, old, old, new: a drift of the clock is the same for both. `None` if the time is over before that.

@@ -1,10 +1,10 @@
 //! `lucerna judge`: whether an edit of the shaders made the estimator better, worse or wrong.
 
+mod analysis;
 mod arguments;
 mod clock;
 mod core;
 mod error;
-mod look;
 mod mark;
 mod report;
 mod series;
@@ -12,9 +12,9 @@ mod side;
 pub mod sizing;
 
 pub use self::core::{Judge, Plan, SECONDS, WITHIN};
+pub use analysis::{Analysis, End, Unknown, Verdict};
 pub use arguments::JudgeArguments;
 pub use error::JudgeError;
-pub use look::{End, Look, Unknown, Verdict};
 pub use mark::marked;
 pub use series::Estimator;
 
@@ -30,7 +30,7 @@ use crate::gpu::Gpu;
 use crate::image::{Outputs, Picture};
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
-use report::Account;
+use report::JudgeSummary;
 
 /// What is said of code that is the same.
 pub const UNCHANGED: &str = "nothing changed in what this scene runs";
@@ -52,18 +52,18 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
         output::print(&report::unchanged(UNCHANGED, arguments.json))?;
         return Ok(Exit::Done);
     }
-    let look = watch(&mut judge, arguments, &interrupt)?;
-    let account = Account {
+    let analysis = watch(&mut judge, arguments, &interrupt)?;
+    let summary = JudgeSummary {
         arguments,
         path: &path,
         scene: &description.name,
         film: judge.film(),
         adapter: gpu.name(),
         changed: judge.changed(),
-        look: &look,
+        analysis: &analysis,
     };
-    let saved = tell(&account, &judge.pictures()[1], &mut outputs)?;
-    Ok(match (&look.verdict, look.ended) {
+    let saved = tell(&summary, &judge.pictures()[1], &mut outputs)?;
+    Ok(match (&analysis.verdict, analysis.ended) {
         (Verdict::Differ, _) => Exit::MeansDiffer,
         _ if !(saved && prepared) => Exit::Failed,
         (_, None) => Exit::Interrupted,
@@ -91,27 +91,27 @@ fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, SceneDescription, Ve
     Ok((path, description, loaded.files))
 }
 
-/// Traces until a look ends it, or a signal does.
-fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -> Result<Look, Failure> {
+/// Traces until an analysis ends it, or a signal does.
+fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -> Result<Analysis, Failure> {
     let goal = Goal { samples: arguments.films.map(u64::from), seconds: judge.seconds_left() };
     let mut meter = Meter::new("judge", goal, arguments.quiet);
-    let look = loop {
+    let analysis = loop {
         match judge.advance() {
-            Err(JudgeError::Stopped) => break judge.look(),
-            Ok(Some(look)) if look.ended.is_some() => break look,
+            Err(JudgeError::Stopped) => break judge.analyse(),
+            Ok(Some(analysis)) if analysis.ended.is_some() => break analysis,
             step => step?,
         };
         // From the first films on there is something to tell.
         interrupt.hold();
         meter.show(judge.films() as u64, &standing(judge));
     };
-    // Also of a look that ended it before the first films were through: what is written is written whole.
+    // Also of an analysis that ended it before the first films were through: what is written is written whole.
     interrupt.hold();
     meter.finish();
-    Ok(look)
+    Ok(analysis)
 }
 
-/// What goes on, for a person who waits.
+/// What goes on, for a user who waits.
 pub fn standing(judge: &Judge) -> String {
     let (films, size, spp) = (judge.films(), judge.film().window().size(), judge.spp());
     let left = judge.seconds_left().map_or(String::new(), |left| format!(", {} left", clock(left)));
@@ -119,23 +119,23 @@ pub fn standing(judge: &Judge) -> String {
 }
 
 /// Writes the files, then says what was found; whether all files were written.
-fn tell(account: &Account, radiance: &[[f32; 3]], outputs: &mut Outputs) -> Result<bool, Failure> {
-    let arguments = account.arguments;
-    let film = &account.film;
+fn tell(summary: &JudgeSummary, radiance: &[[f32; 3]], outputs: &mut Outputs) -> Result<bool, Failure> {
+    let arguments = summary.arguments;
+    let film = &summary.film;
     let window = film.window();
-    let display = marked(radiance, window.size(), f64::from(film.exposure).exp2(), &account.look.means);
-    let metadata = account.metadata();
+    let display = marked(radiance, window.size(), f64::from(film.exposure).exp2(), &summary.analysis.means);
+    let metadata = summary.metadata();
     let report = &serde_json::Value::Null;
     let picture = Picture { size: film.size, window, linear: radiance, display: &display, metadata: &metadata, report };
-    let failures = outputs.write(&picture, |names| account.json(names));
+    let failures = outputs.write(&picture, |names| summary.json(names));
     failures.iter().for_each(|failure| show(failure));
     let names = outputs.names();
     if !arguments.quiet {
-        account.warnings().iter().for_each(|line| output::note(line));
+        summary.warnings().iter().for_each(|line| output::note(line));
     }
     match arguments.json {
-        true => output::print(&format!("{}\n", account.json(&names)))?,
-        false => output::print(&account.text(&names))?,
+        true => output::print(&format!("{}\n", summary.json(&names)))?,
+        false => output::print(&summary.text(&names))?,
     }
     Ok(failures.is_empty())
 }

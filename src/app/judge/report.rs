@@ -4,15 +4,15 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::analysis::{Analysis, End, Unknown, Verdict};
 use super::arguments::JudgeArguments;
-use super::look::{End, Look, Unknown, Verdict};
 use super::series::Estimator;
 use crate::components::Film;
 use crate::stats::equal_means::Difference;
 use crate::stats::sign_flips::MISSED;
 
 /// All there is to say.
-pub struct Account<'a> {
+pub struct JudgeSummary<'a> {
     pub arguments: &'a JudgeArguments,
     /// The scene file.
     pub path: &'a Path,
@@ -23,7 +23,7 @@ pub struct Account<'a> {
     pub adapter: String,
     /// Whether the scene runs other code than before.
     pub changed: bool,
-    pub look: &'a Look,
+    pub analysis: &'a Analysis,
 }
 
 /// Of code that is the same, where nothing was traced.
@@ -34,16 +34,16 @@ pub fn unchanged(text: &str, json: bool) -> String {
     }
 }
 
-impl Account<'_> {
+impl JudgeSummary<'_> {
     pub fn json(&self, outputs: &[String]) -> Value {
-        let (look, means) = (self.look, &self.look.means);
-        let agreement = match &look.verdict {
+        let (analysis, means) = (self.analysis, &self.analysis.means);
+        let agreement = match &analysis.verdict {
             Verdict::Agree(agreement) => Some(agreement),
             Verdict::Differ | Verdict::CannotTell(_) => None,
         };
         let estimator = |which: usize| {
             let known = agreement.map(|agreement| agreement.estimators()[which]);
-            estimator(known, look.bad_samples[which])
+            estimator(known, analysis.bad_samples[which])
         };
         json!({
             "version": env!("CARGO_PKG_VERSION"),
@@ -52,14 +52,14 @@ impl Account<'_> {
             "adapter": self.adapter,
             "old_shaders": folder(self.arguments.old.as_deref()),
             "new_shaders": folder(Some(&self.arguments.new)),
-            "size": look.size.to_array(),
+            "size": analysis.size.to_array(),
             "seed": self.arguments.seed,
-            "spp": look.spp,
-            "films": look.films,
-            "seconds": look.seconds[0],
+            "spp": analysis.spp,
+            "films": analysis.films,
+            "seconds": analysis.seconds[0],
             "changed": self.changed,
-            "verdict": look.line(),
-            "ended": look.ended.map_or("interrupted", |end| match end {
+            "verdict": analysis.line(),
+            "ended": analysis.ended.map_or("interrupted", |end| match end {
                 End::Differ => "means differ",
                 End::Narrow => "efficiency is known",
                 End::Time => "time is over",
@@ -72,15 +72,15 @@ impl Account<'_> {
             "old": estimator(0),
             "new": estimator(1),
             "means": {
-                "told": !matches!(look.verdict, Verdict::CannotTell(_)),
+                "told": !matches!(analysis.verdict, Verdict::CannotTell(_)),
                 "differ": means.differ(),
                 "alpha": self.arguments.alpha,
                 "alpha_of_look": means.spent,
                 // The least difference of the whole picture that would have been found, with this probability.
                 "least_found": means.least_found,
                 "probability": 1.0 - MISSED,
-                "within": look.within,
-                "seconds_to_within": look.seconds_to_find(look.within),
+                "within": analysis.within,
+                "seconds_to_within": analysis.seconds_to_find(analysis.within),
                 "whole": difference(&means.whole),
                 "blocks": means.blocks.len(),
                 "differing": means.differing().map(difference).collect::<Vec<_>>(),
@@ -91,17 +91,17 @@ impl Account<'_> {
 
     /// The verdict, and what it rests on.
     pub fn text(&self, outputs: &[String]) -> String {
-        let (look, size) = (self.look, self.look.size);
+        let (analysis, size) = (self.analysis, self.analysis.size);
         let mut text = format!(
             "{}\n  {}: {} films of each by turns, {} spp, {}x{}\n",
-            look.line(),
+            analysis.line(),
             self.scene,
-            look.films,
-            look.spp,
+            analysis.films,
+            analysis.spp,
             size.x,
             size.y,
         );
-        if let Verdict::Agree(agreement) = &look.verdict {
+        if let Verdict::Agree(agreement) = &analysis.verdict {
             let [old, new] = agreement.estimators();
             text += &format!(
                 "  a film's relMSE {:.2e} -> {:.2e}, its time {:.1} -> {:.1} ms\n",
@@ -119,7 +119,7 @@ impl Account<'_> {
 
     /// What was left out of the films, and what to do about too few of them.
     pub fn warnings(&self) -> Vec<String> {
-        let named = ["old", "new"].into_iter().zip(self.look.bad_samples);
+        let named = ["old", "new"].into_iter().zip(self.analysis.bad_samples);
         let bad = named.filter(|(_, count)| *count > 0).map(|(name, count)| {
             format!("warning: {count} samples of the {name} one were no numbers, or too large, and were left out")
         });
@@ -127,17 +127,17 @@ impl Account<'_> {
     }
 
     fn help(&self) -> Option<String> {
-        let longer = match self.look.ended {
+        let longer = match self.analysis.ended {
             Some(End::Films) => "more --films",
             _ => "more --time",
         };
-        match &self.look.verdict {
+        match &self.analysis.verdict {
             Verdict::CannotTell(Unknown::TooFew) => {
                 Some(format!("help: give {longer}, a smaller --size or fewer --spp"))
             }
             Verdict::CannotTell(Unknown::Coarse) => Some(format!(
                 "help: give {longer}, or have efficiency told by a weaker test with a larger --within PERCENT (now {})",
-                100.0 * self.look.within
+                100.0 * self.analysis.within
             )),
             Verdict::CannotTell(Unknown::Black) => Some("help: give a --camera that sees light".to_owned()),
             Verdict::Differ | Verdict::Agree(_) => None,
@@ -151,7 +151,7 @@ impl Account<'_> {
             ("scene", self.path.display().to_string()),
             ("old", folder(self.arguments.old.as_deref())),
             ("new", folder(Some(&self.arguments.new))),
-            ("verdict", self.look.line()),
+            ("verdict", self.analysis.line()),
         ]
     }
 }

@@ -56,7 +56,7 @@ impl Series {
         self.test.tells()
     }
 
-    /// What looks have left of alpha.
+    /// What analyses have left of alpha.
     pub fn alpha_left(&self) -> f64 {
         self.test.alpha_left()
     }
@@ -76,7 +76,7 @@ impl Series {
     }
 
     /// Spends part of alpha.
-    pub fn look(&mut self) -> Means {
+    pub fn analyse(&mut self) -> Means {
         self.test.look()
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::clock::Clock;
 use super::error::JudgeError;
-use crate::app::stage::Stage;
+use crate::app::tracer::Tracer;
 use crate::components::{Film, Render};
 use crate::engine::EngineError;
 use crate::gpu::Gpu;
@@ -12,7 +12,7 @@ use crate::scene::SceneDescription;
 use crate::shader::{Features, Library};
 
 pub struct Side {
-    stage: Stage,
+    tracer: Tracer,
     /// Samples that were no numbers, over all films.
     pub bad_samples: u64,
 }
@@ -27,30 +27,30 @@ pub struct Shot {
 impl Side {
     /// Opens a scene. Nothing is compiled yet.
     pub fn open(gpu: &Arc<Gpu>, library: &Library, description: &SceneDescription) -> Result<Self, EngineError> {
-        Ok(Self { stage: Stage::open(gpu, library, description)?, bad_samples: 0 })
+        Ok(Self { tracer: Tracer::open(gpu, library, description)?, bad_samples: 0 })
     }
 
     /// Traces a film from its first sample to its last; `None` if the time is over before that.
     pub fn film(&mut self, film: Film, seed: u32, spp: u32, clock: &Clock) -> Result<Option<Shot>, JudgeError> {
-        let before = self.stage.report()?.seconds_trace;
-        self.stage.set(Render { seed, spp, ..self.stage.render });
-        self.stage.set_film(film);
+        let before = self.tracer.report()?.seconds_trace;
+        self.tracer.set(Render { seed, spp, ..self.tracer.render });
+        self.tracer.set_film(film);
         loop {
             // Before the first step too: of films that one step finishes, there may be any number.
             if clock.is_over()? {
                 return Ok(None);
             }
-            if self.stage.step()?.finished {
+            if self.tracer.step()?.finished {
                 break;
             }
         }
-        let report = self.stage.report()?;
+        let report = self.tracer.report()?;
         self.bad_samples += report.bad_samples;
-        Ok(Some(Shot { radiance: self.stage.radiance()?, seconds: report.seconds_trace - before }))
+        Ok(Some(Shot { radiance: self.tracer.radiance()?, seconds: report.seconds_trace - before }))
     }
 
     /// Shader features of the scene, once a film was traced.
     pub fn features(&mut self) -> Features {
-        self.stage.features()
+        self.tracer.features()
     }
 }

@@ -18,7 +18,7 @@ use crate::engine::Engine;
 use crate::gpu::Gpu;
 use crate::image::{Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
-use report::{Account, Seconds};
+use report::{RenderSummary, Seconds};
 
 /// Tracing between two looks at the clock and at signals.
 const STEP: Duration = Duration::from_millis(100);
@@ -64,7 +64,7 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
     let seconds =
         Seconds { start: start.as_secs_f64(), load: load.as_secs_f64(), total: started.elapsed().as_secs_f64() };
     let interrupted = ended == Ended::Interrupted;
-    let account = Account {
+    let summary = RenderSummary {
         arguments,
         path: &path,
         description: &description,
@@ -73,7 +73,7 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         seconds,
         interrupted,
     };
-    let saved = save_and_tell(&account, &mut outputs)?;
+    let saved = save_and_tell(&summary, &mut outputs)?;
     Ok(match (saved && prepared, interrupted) {
         (false, _) => Exit::Failed,
         (true, true) => Exit::Interrupted,
@@ -82,32 +82,32 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
 }
 
 /// Writes the files, then says so; whether all were written.
-fn save_and_tell(account: &Account, outputs: &mut Outputs) -> Result<bool, Failure> {
-    let metadata = account.metadata();
+fn save_and_tell(summary: &RenderSummary, outputs: &mut Outputs) -> Result<bool, Failure> {
+    let metadata = summary.metadata();
     let picture = Picture {
-        size: account.film.size,
-        window: account.film.window,
-        linear: &account.film.rgb,
-        display: &account.film.picture,
+        size: summary.film.size,
+        window: summary.film.window,
+        linear: &summary.film.rgb,
+        display: &summary.film.picture,
         metadata: &metadata,
         report: &serde_json::Value::Null,
     };
-    let failures = outputs.write(&picture, |names| account.json(names));
+    let failures = outputs.write(&picture, |names| summary.json(names));
     failures.iter().for_each(|failure| show(failure));
     let names = outputs.names();
-    let arguments = account.arguments;
-    if account.report.bad_samples > 0 && !arguments.quiet {
+    let arguments = summary.arguments;
+    if summary.report.bad_samples > 0 && !arguments.quiet {
         output::note(&format!(
             "warning: {} samples were no numbers, or too large, and were left out; --json lists the first",
-            account.report.bad_samples
+            summary.report.bad_samples
         ));
     }
-    if account.interrupted && !arguments.quiet {
-        output::note(&format!("interrupted at {} of {} spp", account.film.spp, account.description.render.spp));
+    if summary.interrupted && !arguments.quiet {
+        output::note(&format!("interrupted at {} of {} spp", summary.film.spp, summary.description.render.spp));
     }
     match arguments.json {
-        true => output::print(&format!("{}\n", account.json(&names)))?,
-        false => output::print(&account.text(&names, arguments.stats))?,
+        true => output::print(&format!("{}\n", summary.json(&names)))?,
+        false => output::print(&summary.text(&names, arguments.stats))?,
     }
     Ok(failures.is_empty())
 }

@@ -1,4 +1,4 @@
-//! What a render says about itself: metadata in its files, the report as JSON, and a few lines for people.
+//! What a render says about itself: metadata in its files, the report as JSON, and a few lines for users.
 
 use std::path::Path;
 
@@ -23,7 +23,7 @@ pub struct Seconds {
 
 /// All there is to say about a finished render.
 #[derive(Debug)]
-pub struct Account<'a> {
+pub struct RenderSummary<'a> {
     pub arguments: &'a RenderArguments,
     /// The scene file.
     pub path: &'a Path,
@@ -35,7 +35,7 @@ pub struct Account<'a> {
     pub interrupted: bool,
 }
 
-impl Account<'_> {
+impl RenderSummary<'_> {
     /// What is needed to repeat the render, for the files' metadata. Nothing in it differs between equal renders on one
     /// machine.
     pub fn metadata(&self) -> Vec<(&'static str, String)> {
@@ -153,7 +153,7 @@ impl Account<'_> {
         }
     }
 
-    /// A few lines for people.
+    /// A few lines for users.
     pub fn text(&self, outputs: &[String], stats: bool) -> String {
         let (film, report) = (self.film, self.report);
         let size = film.window.size();

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
 use winit::keyboard::{Key, KeyCode, NamedKey, PhysicalKey};
 
-/// What a person asks for.
+/// What a user wants.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Intent {
     /// Radians.
@@ -65,7 +65,7 @@ pub struct Controls {
 }
 
 impl Controls {
-    /// Takes an event that nobody before wanted for himself. `height` of the window in pixels.
+    /// Takes an event that the panel did not want. `height` of the window in pixels.
     pub fn event(&mut self, event: &WindowEvent, height: f64) -> Option<Intent> {
         match event {
             WindowEvent::ModifiersChanged(modifiers) => self.shift = modifiers.state().shift_key(),

@@ -61,9 +61,9 @@ impl Session {
             self.save()?;
         }
         let pixel = self.pixel_under_pointer();
-        let looked = self.panel.look(&mut self.engine, pixel, self.film_began, now);
-        if !matches!(looked, Ok(false)) {
-            self.survive("looking at the film", looked)?;
+        let read = self.panel.read(&mut self.engine, pixel, self.film_began, now);
+        if !matches!(read, Ok(false)) {
+            self.survive("looking at the film", read)?;
         }
         self.draw()?;
         let traced = Duration::from_secs_f64((self.traced() - before).max(0.0));

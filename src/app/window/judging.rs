@@ -10,7 +10,7 @@ use glam::UVec2;
 use winit::event_loop::EventLoopProxy;
 
 use crate::app::failure::rendered;
-use crate::app::judge::{Judge, JudgeError, Look, Plan, SECONDS, UNCHANGED, WITHIN, marked, standing};
+use crate::app::judge::{Analysis, Judge, JudgeError, Plan, SECONDS, UNCHANGED, WITHIN, marked, standing};
 use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::Library;
@@ -22,8 +22,8 @@ const TELL: Duration = Duration::from_millis(500);
 enum Word {
     /// How far it is.
     Standing(String),
-    /// A look, and the mean radiance of the films so far, the old shaders' first.
-    Look(Box<Look>, [Vec<[f32; 3]>; 2]),
+    /// An analysis, and the mean radiance of the films so far, the old shaders' first.
+    Analysis(Box<Analysis>, [Vec<[f32; 3]>; 2]),
     Unchanged,
     Failed(JudgeError),
 }
@@ -37,7 +37,7 @@ pub struct Judging {
     scale: f64,
     /// Nothing more will come.
     over: bool,
-    /// What the last look has found.
+    /// What the last analysis has found.
     found: Option<String>,
     /// How far it is, and what was found so far.
     pub line: String,
@@ -83,16 +83,16 @@ impl Judging {
                     let found = self.found.as_deref().unwrap_or("nothing can be told yet");
                     self.line = format!("judging: {standing}; {found}");
                 }
-                Word::Look(look, pictures) => {
-                    self.over = look.ended.is_some();
+                Word::Analysis(analysis, pictures) => {
+                    self.over = analysis.ended.is_some();
                     let state = if self.over { "judged" } else { "judging" };
-                    let (found, size) = (look.line(), look.size);
+                    let (found, size) = (analysis.line(), analysis.size);
                     self.line = format!(
                         "{state}: {found} ({} films of {} spp each at {}x{})",
-                        look.films, look.spp, size.x, size.y
+                        analysis.films, analysis.spp, size.x, size.y
                     );
                     self.found = Some(found);
-                    self.split = Some((size, self.split_picture(look, pictures)));
+                    self.split = Some((size, self.split_picture(analysis, pictures)));
                 }
                 Word::Unchanged => (self.over, self.line) = (true, format!("judged: {UNCHANGED}")),
                 Word::Failed(error) => (self.over, self.line) = (true, rendered(error, false)),
@@ -101,9 +101,9 @@ impl Judging {
         !words.is_empty()
     }
 
-    fn split_picture(&self, look: &Look, [old, new]: &[Vec<[f32; 3]>; 2]) -> Vec<[u8; 4]> {
-        let [old, new] = [old, new].map(|picture| marked(picture, look.size, self.scale, &look.means));
-        let width = look.size.x.max(1) as usize;
+    fn split_picture(&self, analysis: &Analysis, [old, new]: &[Vec<[f32; 3]>; 2]) -> Vec<[u8; 4]> {
+        let [old, new] = [old, new].map(|picture| marked(picture, analysis.size, self.scale, &analysis.means));
+        let width = analysis.size.x.max(1) as usize;
         let pixels = old.into_iter().zip(new).enumerate();
         pixels.map(|(i, (old, new))| if 2 * (i % width) < width { old } else { new }).collect()
     }
@@ -172,10 +172,10 @@ fn judge(
     }
     let mut told = Instant::now();
     loop {
-        let look = judge.advance()?;
-        let ended = look.as_ref().is_some_and(|look| look.ended.is_some());
-        let word = match look {
-            Some(look) => Word::Look(Box::new(look), judge.pictures()),
+        let analysis = judge.advance()?;
+        let ended = analysis.as_ref().is_some_and(|analysis| analysis.ended.is_some());
+        let word = match analysis {
+            Some(analysis) => Word::Analysis(Box::new(analysis), judge.pictures()),
             None if told.elapsed() >= TELL => Word::Standing(standing(&judge)),
             None => continue,
         };

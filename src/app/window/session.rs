@@ -79,7 +79,7 @@ pub struct Session {
     pub(super) overlay: Overlay,
     pub(super) panel: Panel,
     pub(super) flight: Flight,
-    /// Where the person is; the engine's camera follows.
+    /// Where the user is; the engine's camera follows.
     pub(super) view: Camera,
     /// The engine's camera does not follow yet.
     pub(super) view_moved: bool,
@@ -291,7 +291,7 @@ impl Session {
             return Some(self.last_frame + pace::FRAME);
         }
         let pixel = self.pixel_under_pointer();
-        let look = self.panel.next_look(&mut self.engine, pixel, self.film_began);
-        [self.pace.settles_at(), self.notice_ends, self.ui_again, look].into_iter().flatten().min()
+        let reading = self.panel.next_reading(&mut self.engine, pixel, self.film_began);
+        [self.pace.settles_at(), self.notice_ends, self.ui_again, reading].into_iter().flatten().min()
     }
 }

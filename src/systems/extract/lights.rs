@@ -2,7 +2,7 @@
 
 use bevy_ecs::prelude::*;
 
-use super::Step;
+use super::step::Step;
 use crate::components::Integrator;
 use crate::gpu::GpuTable;
 use crate::layout::light::{LightRecord, LightTable};

@@ -2,7 +2,7 @@
 
 use bevy_ecs::prelude::*;
 
-use super::Step;
+use super::step::Step;
 use crate::components::{Energy, Material, Name, Passage, Specular};
 use crate::gpu::GpuTable;
 use crate::layout::trace::{EnergyRule, MaterialRecord, Reflector};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use bevy_ecs::prelude::*;
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
-use super::Step;
+use super::step::Step;
 use crate::components::{Geometry, MeshData, Name, Transform, UsesMaterial};
 use crate::gpu::GpuTable;
 use crate::layout::trace::Shading;

@@ -8,12 +8,14 @@ mod meshes;
 mod settings;
 mod shot;
 mod sky;
+mod step;
 
 use bevy_ecs::prelude::*;
 
-use super::Phase;
 use super::error::no_fault;
+use super::phase::Phase;
 use super::resources::Everything;
+use step::Step;
 
 pub fn add_systems(schedule: &mut Schedule) {
     settings::add_systems(schedule);
@@ -30,18 +32,6 @@ pub fn add_systems(schedule: &mut Schedule) {
     );
     let extracted = |mut everything: ResMut<Everything>| everything.0 = false;
     schedule.add_systems(extracted.after(Phase::Extract).before(Phase::Upload).run_if(no_fault).run_if(everything));
-}
-
-/// The order within the phase: each reads what those before it made.
-#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Step {
-    Settings,
-    Materials,
-    Meshes,
-    Lights,
-    Sky,
-    Shot,
-    Film,
 }
 
 /// Run condition: everything is to be extracted again.

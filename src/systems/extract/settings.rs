@@ -2,7 +2,7 @@
 
 use bevy_ecs::prelude::*;
 
-use super::Step;
+use super::step::Step;
 use crate::components::Render;
 use crate::systems::resources::Policy;
 use crate::systems::run::counted;

@@ -3,7 +3,7 @@
 use bevy_ecs::prelude::*;
 use glam::Vec3;
 
-use super::Step;
+use super::step::Step;
 use crate::components::{
     Active, Camera, CameraItem, Environment, EnvironmentItem, Film, Integrator, Name, Render, Sampler, rendered_camera,
     rendered_environment,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
 
-use super::Step;
+use super::step::Step;
 use crate::components::{Environment, EnvironmentItem, EnvironmentMap, Name, rendered_environment};
 use crate::gpu::GpuTable;
 use crate::layout::alias::AliasColumn;

@@ -4,7 +4,7 @@ use super::configuration::Configuration;
 use super::record::{ConfigurationRecord, Run, Snapshot};
 use super::reference::Reference;
 use crate::app::bench::BenchError;
-use crate::app::stage::{Stage, Watch};
+use crate::app::tracer::{Monitor, Tracer};
 use crate::components::Render;
 use crate::stats::metrics::relative_mse;
 
@@ -44,18 +44,18 @@ impl Extent {
 ///
 /// Time is that of the engine's batches alone: not that of compiling, of reading films back, of comparing them.
 pub fn measure(
-    stage: &mut Stage,
+    tracer: &mut Tracer,
     configuration: Configuration,
     extent: Extent,
     reference: &Reference,
-    watch: &mut Watch,
+    monitor: &mut Monitor,
 ) -> Result<Option<ConfigurationRecord>, BenchError> {
-    let render = configuration.of(&stage.render);
-    stage.set(Render { seed: WARM_UP_SEED, spp: extent.warm_up(), ..render });
-    let mut whole = stage.finish(watch)?;
+    let render = configuration.of(&tracer.render);
+    tracer.set(Render { seed: WARM_UP_SEED, spp: extent.warm_up(), ..render });
+    let mut whole = tracer.finish(monitor)?;
     let (mut runs, mut bad_samples) = (Vec::new(), 0);
     for seed in 0..extent.seeds {
-        let run = if whole { film(stage, Render { seed, ..render }, extent, reference, watch)? } else { None };
+        let run = if whole { film(tracer, Render { seed, ..render }, extent, reference, monitor)? } else { None };
         match run {
             Some((run, bad)) => {
                 runs.push(run);
@@ -69,22 +69,22 @@ pub fn measure(
 
 /// One film, and its bad samples; none if a signal came before its end.
 fn film(
-    stage: &mut Stage,
+    tracer: &mut Tracer,
     render: Render,
     extent: Extent,
     reference: &Reference,
-    watch: &mut Watch,
+    monitor: &mut Monitor,
 ) -> Result<Option<(Run, u64)>, BenchError> {
-    let before = stage.report()?.seconds_trace;
+    let before = tracer.report()?.seconds_trace;
     let mut snapshots = Vec::new();
     let mut bad_samples = 0;
     for spp in extent.snapshots() {
-        stage.set(Render { spp, ..render });
-        if !stage.finish(watch)? {
+        tracer.set(Render { spp, ..render });
+        if !tracer.finish(monitor)? {
             return Ok(None);
         }
-        let report = stage.report()?;
-        let film = stage.film()?;
+        let report = tracer.report()?;
+        let film = tracer.film()?;
         bad_samples = report.bad_samples;
         snapshots.push(Snapshot {
             spp,

@@ -23,7 +23,7 @@ use super::BenchError;
 use crate::app::failure::show;
 use crate::app::interrupt::Interrupt;
 use crate::app::progress::{Goal, Meter};
-use crate::app::stage::{Stage, Watch};
+use crate::app::tracer::{Monitor, Tracer};
 use crate::app::{Exit, Failure, output};
 use crate::gpu::Gpu;
 use crate::image::file;
@@ -60,19 +60,19 @@ pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
     let gpu = Gpu::open()?;
     let mut bench = empty(&gpu, arguments);
     let goal = Goal { samples: Some(samples(&subjects, arguments)), seconds: None };
-    let mut watch = Watch { meter: Meter::new("bench", goal, arguments.quiet), interrupt };
+    let mut monitor = Monitor { meter: Meter::new("bench", goal, arguments.quiet), interrupt };
     let mut fault = None;
     for subject in subjects {
-        if let Err(error) = measure_scene(&gpu, &library, subject, arguments, &mut watch, &mut bench) {
+        if let Err(error) = measure_scene(&gpu, &library, subject, arguments, &mut monitor, &mut bench) {
             fault = Some(error);
             break;
         }
     }
-    watch.meter.finish();
-    watch.interrupt.hold();
-    bench.interrupted = watch.interrupt.asked() || fault.is_some();
+    monitor.meter.finish();
+    monitor.interrupt.hold();
+    bench.interrupted = monitor.interrupt.asked() || fault.is_some();
     let told = tell(&bench, arguments, earlier.as_ref())?;
-    match (fault, watch.interrupt.asked()) {
+    match (fault, monitor.interrupt.asked()) {
         (Some(error), _) => Err(error.into()),
         (None, true) => Ok(Exit::Interrupted),
         (None, false) => Ok(told),
@@ -138,19 +138,19 @@ fn measure_scene(
     library: &Library,
     subject: Subject,
     arguments: &LightArguments,
-    watch: &mut Watch,
+    monitor: &mut Monitor,
     bench: &mut Bench,
 ) -> Result<(), BenchError> {
     let Subject { description, shelf, reference } = subject;
-    if watch.interrupt.asked() {
+    if monitor.interrupt.asked() {
         return Ok(());
     }
-    let mut stage = Stage::open(gpu, library, &description)?;
+    let mut tracer = Tracer::open(gpu, library, &description)?;
     let reference = match reference {
         Some(reference) => reference,
         None => {
-            watch.meter.rename(&format!("{}, reference", description.name));
-            let made = shelf.make(&mut stage, &description.film, arguments.reference_spp(), watch)?;
+            monitor.meter.rename(&format!("{}, reference", description.name));
+            let made = shelf.make(&mut tracer, &description.film, arguments.reference_spp(), monitor)?;
             let Some(reference) = made else { return Ok(()) };
             reference
         }
@@ -166,14 +166,14 @@ fn measure_scene(
         configurations: Vec::new(),
     });
     for configuration in &arguments.configs {
-        watch.meter.rename(&format!("{}, {configuration}", description.name));
-        let measured = measure::measure(&mut stage, *configuration, arguments.extent(), &reference, watch)?;
+        monitor.meter.rename(&format!("{}, {configuration}", description.name));
+        let measured = measure::measure(&mut tracer, *configuration, arguments.extent(), &reference, monitor)?;
         if let Some(measured) = measured {
             bench.scenes[at].configurations.push(measured);
-            watch.interrupt.hold();
+            monitor.interrupt.hold();
         }
     }
-    bench.scenes[at].triangles = stage.report()?.triangles;
+    bench.scenes[at].triangles = tracer.report()?.triangles;
     Ok(())
 }
 

@@ -272,7 +272,7 @@ fn labelled(scale: Scale) -> Vec<(f64, bool)> {
     scale.ticks().filter(|tick| tick.1 || matches!(digit(tick.0), 2 | 5)).collect()
 }
 
-/// A value as people write it, from 0.01 to 10,000, else a power of ten.
+/// A value as users write it, from 0.01 to 10,000, else a power of ten.
 fn number(log: f64) -> String {
     let whole = (log + 1e-9).floor();
     let digit = 10f64.powf(log - whole).round();

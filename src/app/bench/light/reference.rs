@@ -11,7 +11,7 @@ use super::read::read_json;
 use super::record::ReferenceRecord;
 use crate::app::bench::BenchError;
 use crate::app::progress::{Goal, Meter};
-use crate::app::stage::{Stage, Watch};
+use crate::app::tracer::{Monitor, Tracer};
 use crate::components::{Film, Integrator, Render, Sampler};
 use crate::image::{Output, Picture, Source, file};
 use crate::oracle::{self, Oracle};
@@ -58,17 +58,17 @@ impl Shelf {
     /// Traces the reference, and keeps it. None if a signal came before it was done.
     pub fn make(
         &self,
-        stage: &mut Stage,
+        tracer: &mut Tracer,
         film: &Film,
         spp: u32,
-        watch: &mut Watch,
+        monitor: &mut Monitor,
     ) -> Result<Option<Reference>, BenchError> {
-        let seconds = stage.report()?.seconds_trace;
-        stage.set(Render { seed: SEED, spp, ..TRUSTED.of(&stage.render) });
-        if !stage.finish(watch)? {
+        let seconds = tracer.report()?.seconds_trace;
+        tracer.set(Render { seed: SEED, spp, ..TRUSTED.of(&tracer.render) });
+        if !tracer.finish(monitor)? {
             return Ok(None);
         }
-        let (image, report) = (stage.film()?, stage.report()?);
+        let (image, report) = (tracer.film()?, tracer.report()?);
         let record = ReferenceRecord {
             key: self.key.clone(),
             by: TRUSTED.to_string(),

@@ -1,4 +1,4 @@
-//! A benchmark as a flat file for programs, and as tables for people.
+//! A benchmark as a flat file for programs, and as tables for users.
 
 use std::fmt::Write;
 

@@ -7,8 +7,8 @@ mod materials;
 mod passes;
 mod pixel;
 mod progress;
+mod readings;
 mod settings;
-mod watch;
 
 use std::time::Instant;
 
@@ -16,9 +16,9 @@ use glam::UVec2;
 
 use crate::engine::{Engine, EngineError};
 
-use watch::Watch;
+use readings::Readings;
 
-/// What a person did in the panel.
+/// What a user did in the panel.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
     /// A component was written, or another view chosen.
@@ -42,37 +42,37 @@ impl Outcome {
 pub struct Panel {
     pub open: bool,
     software: bool,
-    watch: Watch,
+    readings: Readings,
 }
 
 impl Panel {
     /// Closed. `features` are all that shaders know; `software` is whether the device is the processor.
     pub fn new(features: Vec<String>, software: bool) -> Self {
-        Self { open: false, software, watch: Watch::new(features) }
+        Self { open: false, software, readings: Readings::new(features) }
     }
 
     /// Opens it, or closes it; passes are timed while it is open.
     pub fn toggle(&mut self, engine: &mut Engine) {
         self.open = !self.open;
         engine.set_timing(self.open);
-        self.watch.forget();
+        self.readings.forget();
     }
 
     /// When it wants to look at the engine again; none while it shows all there is. `pixel` is that under the pointer,
     /// `began` when the film last started anew.
-    pub fn next_look(&self, engine: &mut Engine, pixel: Option<UVec2>, began: Instant) -> Option<Instant> {
-        if self.open { self.watch.next(engine, pixel, began) } else { None }
+    pub fn next_reading(&self, engine: &mut Engine, pixel: Option<UVec2>, began: Instant) -> Option<Instant> {
+        if self.open { self.readings.next(engine, pixel, began) } else { None }
     }
 
     /// Looks at the engine, as far as it is time to. Says whether there is something new to show.
-    pub fn look(
+    pub fn read(
         &mut self,
         engine: &mut Engine,
         pixel: Option<UVec2>,
         began: Instant,
         now: Instant,
     ) -> Result<bool, EngineError> {
-        if self.open { self.watch.look(engine, pixel, began, now) } else { Ok(false) }
+        if self.open { self.readings.read(engine, pixel, began, now) } else { Ok(false) }
     }
 
     /// Draws it, at the right side of the window.
@@ -82,16 +82,17 @@ impl Panel {
         let frame = egui::Frame::side_top_panel(ui.style()).fill(fill);
         egui::Panel::right("panel").frame(frame).default_size(300.0).show(ui, |ui| {
             egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                section(ui, "Progress", true, |ui| progress::show(ui, &self.watch));
-                section(ui, "Pixel", true, |ui| pixel::show(ui, self.watch.pixel.as_ref()));
+                section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
+                section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref()));
                 section(ui, "View", true, |ui| outcome.edited |= settings::view(ui, engine));
                 section(ui, "Camera", true, |ui| outcome.camera = settings::cameras(ui, engine));
                 engine.edit(|world| {
                     section(ui, "Settings", true, |ui| outcome.edited |= settings::show(ui, world));
-                    let seen = self.watch.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
+                    let seen =
+                        self.readings.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
                     section(ui, "Materials", false, |ui| outcome.moved |= materials::show(ui, world, seen));
                 });
-                section(ui, "Passes", false, |ui| passes::show(ui, &self.watch, self.software));
+                section(ui, "Passes", false, |ui| passes::show(ui, &self.readings, self.software));
             });
         });
         outcome

@@ -3,9 +3,9 @@
 use egui::{Color32, Ui};
 use egui_plot::{Line, Plot, PlotPoints};
 
-use super::watch::Watch;
+use super::readings::Readings;
 
-/// Numbers as people read them: 1234567 is 1.23 M, and 0 is nothing yet.
+/// Numbers as users read them: 1234567 is 1.23 M, and 0 is nothing yet.
 fn short(value: f64) -> String {
     if value == 0.0 {
         return "-".to_owned();
@@ -20,25 +20,25 @@ fn short(value: f64) -> String {
 }
 
 /// Samples, rates, and the curve of the error.
-pub fn show(ui: &mut Ui, watch: &Watch) {
+pub fn show(ui: &mut Ui, readings: &Readings) {
     egui::Grid::new("progress").num_columns(2).show(ui, |ui| {
         let mut row = |name: &str, value: String| {
             ui.label(name);
             ui.monospace(value);
             ui.end_row();
         };
-        row("samples", format!("{} of {}", watch.spp, watch.target));
-        row("samples/s", short(watch.samples_per_second));
-        row("rays/s", short(watch.rays_per_second));
-        row("estimated relMSE", watch.error.map_or("-".to_owned(), |error| format!("{error:.3e}")));
-        if let Some(report) = &watch.report {
+        row("samples", format!("{} of {}", readings.spp, readings.target));
+        row("samples/s", short(readings.samples_per_second));
+        row("rays/s", short(readings.rays_per_second));
+        row("estimated relMSE", readings.error.map_or("-".to_owned(), |error| format!("{error:.3e}")));
+        if let Some(report) = &readings.report {
             row("triangles", report.triangles.to_string());
             if report.bad_samples > 0 {
                 row("bad samples", report.bad_samples.to_string());
             }
         }
     });
-    if watch.curve.len() < 2 {
+    if readings.curve.len() < 2 {
         return;
     }
     Plot::new("error")
@@ -53,7 +53,7 @@ pub fn show(ui: &mut Ui, watch: &Watch) {
         .y_axis_formatter(|mark, _| format!("{:.0e}", 10f64.powf(mark.value)))
         .label_formatter(|_| None)
         .show(ui, |plot| {
-            plot.line(Line::new("relMSE", PlotPoints::from(watch.curve.clone())).color(Color32::LIGHT_GREEN));
+            plot.line(Line::new("relMSE", PlotPoints::from(readings.curve.clone())).color(Color32::LIGHT_GREEN));
         });
     ui.small("estimated relMSE over seconds, both logarithmic");
 }

@@ -25,7 +25,7 @@ const MOST_POINTS: usize = 512;
 type Stamp = (Instant, u64);
 
 /// The last looks at the engine.
-pub struct Watch {
+pub struct Readings {
     /// All features that shaders know.
     pub features: Vec<String>,
     /// Those that the scene needs.
@@ -45,12 +45,12 @@ pub struct Watch {
     /// Dispatches by pass between the last two looks that found any.
     pub dispatched: BTreeMap<&'static str, u64>,
     pub pixel: Option<Inspected>,
-    film_look: Option<(Instant, Stamp)>,
+    film_read: Option<(Instant, Stamp)>,
     film_cost: Duration,
-    pixel_look: Option<(Instant, Option<UVec2>, Stamp)>,
+    pixel_read: Option<(Instant, Option<UVec2>, Stamp)>,
 }
 
-impl Watch {
+impl Readings {
     /// Nothing was looked at yet.
     pub fn new(features: Vec<String>) -> Self {
         Self {
@@ -66,9 +66,9 @@ impl Watch {
             passes: Vec::new(),
             dispatched: BTreeMap::new(),
             pixel: None,
-            film_look: None,
+            film_read: None,
             film_cost: Duration::ZERO,
-            pixel_look: None,
+            pixel_read: None,
         }
     }
 
@@ -79,7 +79,7 @@ impl Watch {
 
     /// When the film is to be looked at, if it is another than the last time.
     fn film_due(&self, stamp: Stamp, now: Instant) -> Option<Instant> {
-        match self.film_look {
+        match self.film_read {
             None => Some(now),
             Some((_, last)) if last == stamp => None,
             Some((at, _)) => Some(at + FILM.max(self.film_cost * SHARE)),
@@ -88,7 +88,7 @@ impl Watch {
 
     /// The same of the pixel.
     fn pixel_due(&self, pixel: Option<UVec2>, stamp: Stamp, now: Instant) -> Option<Instant> {
-        match self.pixel_look {
+        match self.pixel_read {
             None => Some(now),
             Some((_, last_pixel, last)) if (last_pixel, last) == (pixel, stamp) => None,
             Some((at, ..)) => Some(at + PIXEL),
@@ -102,7 +102,7 @@ impl Watch {
     }
 
     /// Looks at what is due. Says whether anything was.
-    pub fn look(
+    pub fn read(
         &mut self,
         engine: &mut Engine,
         pixel: Option<UVec2>,
@@ -112,11 +112,11 @@ impl Watch {
         let stamp = stamp(engine, began);
         let film = self.film_due(stamp, now).is_some_and(|at| at <= now);
         if film {
-            self.look_at_film(engine, stamp, now)?;
+            self.read_film(engine, stamp, now)?;
         }
         let one = self.pixel_due(pixel, stamp, now).is_some_and(|at| at <= now);
         if one {
-            self.pixel_look = Some((now, pixel, stamp));
+            self.pixel_read = Some((now, pixel, stamp));
             self.pixel = match pixel {
                 Some(pixel) => engine.inspect(pixel)?,
                 None => None,
@@ -125,11 +125,11 @@ impl Watch {
         Ok(film || one)
     }
 
-    fn look_at_film(&mut self, engine: &mut Engine, stamp: Stamp, now: Instant) -> Result<(), EngineError> {
+    fn read_film(&mut self, engine: &mut Engine, stamp: Stamp, now: Instant) -> Result<(), EngineError> {
         let begin = Instant::now();
         let (began, traced) = stamp;
         // Noted first: what fails is not tried again at once.
-        let last = self.film_look.replace((now, stamp));
+        let last = self.film_read.replace((now, stamp));
         let report = engine.report()?;
         (self.spp, self.target) = engine.samples();
         self.needed = engine.features().iter().cloned().collect();

@@ -15,19 +15,19 @@ use crate::shader::{Features, Library};
 const STEP: Duration = Duration::from_millis(100);
 
 /// Shows how far all is, and listens for signals.
-pub struct Watch {
+pub struct Monitor {
     pub meter: Meter,
     pub interrupt: Interrupt,
 }
 
 /// One scene on the device.
-pub struct Stage {
+pub struct Tracer {
     engine: Engine,
     /// The settings of the scene.
     pub render: Render,
 }
 
-impl Stage {
+impl Tracer {
     /// Opens a scene. Nothing is traced yet.
     pub fn open(gpu: &Arc<Gpu>, library: &Library, description: &SceneDescription) -> Result<Self, EngineError> {
         let engine = Engine::open(gpu.clone(), library.clone(), description)?;
@@ -58,11 +58,11 @@ impl Stage {
     }
 
     /// Traces until the film is finished. False if a signal came before that.
-    pub fn finish(&mut self, watch: &mut Watch) -> Result<bool, EngineError> {
+    pub fn finish(&mut self, monitor: &mut Monitor) -> Result<bool, EngineError> {
         loop {
             let step = self.step()?;
-            watch.meter.advance(step.samples, step.spp);
-            match (step.finished, watch.interrupt.asked()) {
+            monitor.meter.advance(step.samples, step.spp);
+            match (step.finished, monitor.interrupt.asked()) {
                 (true, _) => return Ok(true),
                 (false, true) => return Ok(false),
                 (false, false) => {}

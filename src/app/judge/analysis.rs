@@ -1,4 +1,4 @@
-//! What a look at the films so far has shown.
+//! What an analysis of the films so far has shown.
 
 use glam::UVec2;
 
@@ -65,7 +65,7 @@ impl Agreement {
 }
 
 impl Verdict {
-    /// By a look at the means, the least difference of the whole picture that was to be found, and the numbers that are to be told
+    /// By an analysis of the means, the least difference of the whole picture that was to be found, and the numbers that are to be told
     /// only where it would have been.
     pub fn of(means: &Means, within: f64, ratio: Option<Ratio>, estimators: [Estimator; 2]) -> Self {
         match means.least_found {
@@ -80,7 +80,7 @@ impl Verdict {
 
 /// All films so far.
 #[derive(Clone, Debug)]
-pub struct Look {
+pub struct Analysis {
     /// Of each.
     pub films: usize,
     /// Samples a pixel of a film.
@@ -98,7 +98,7 @@ pub struct Look {
     pub ended: Option<End>,
 }
 
-impl Look {
+impl Analysis {
     /// The verdict in one line.
     pub fn line(&self) -> String {
         match &self.verdict {

@@ -1,0 +1,15 @@
+//! The order of the extraction.
+
+use bevy_ecs::prelude::*;
+
+/// The order within the phase: each reads what those before it made.
+#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Step {
+    Settings,
+    Materials,
+    Meshes,
+    Lights,
+    Sky,
+    Shot,
+    Film,
+}
