@@ -1,6 +1,7 @@
 //! The film: samples added to 64-bit fixed point, and the film as a picture.
 
 use super::recording::CallBuilder;
+use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size, clear};
 use crate::layout::film::{AccumulateParams, DisplayParams, FilmCounters, FilmPixel};
 use crate::layout::trace::TraceParams;
@@ -16,7 +17,8 @@ pub static ACCUMULATE: Pass = Pass {
         Binding::write("film", "array<FilmPixel>"),
         Binding::write("counters", "FilmCounters"),
     ],
-    makes: Makes::Film,
+    makes: &[Makes::Film],
+    twin: twin!(film::accumulate),
 };
 
 /// The mean of both halves, exposed, as sRGB in `picture`: r in the lowest byte, a = 255 in the highest.
@@ -29,7 +31,8 @@ pub static DISPLAY: Pass = Pass {
         Binding::read("film", "array<FilmPixel>"),
         Binding::write("picture", "array<u32>"),
     ],
-    makes: Makes::Picture,
+    makes: &[Makes::Picture],
+    twin: twin!(display::display),
 };
 
 /// Buffers of the film for a window of so many pixels.

@@ -1,6 +1,7 @@
 //! A surface's code, asked about itself: what it draws, and what it says of given directions.
 
-use super::{Binding, Makes, Pass, Recording, Size};
+use super::twin::twin;
+use super::{Binding, Pass, Recording, Size};
 use crate::layout::lint::{LintAnswer, LintParams};
 
 /// `mixture_sample` and `mixture_evaluate` of the scene's own features.
@@ -14,7 +15,8 @@ pub static LINT: Pass = Pass {
         Binding::read("lint_asked", "array<vec4<f32>>"),
         Binding::write("lint_answers", "array<LintAnswer>"),
     ],
-    makes: Makes::Answers,
+    makes: &[],
+    twin: twin!(bsdf::Reflection::evaluate),
 };
 
 /// Buffers for so many answers, beside `lint_cases`.

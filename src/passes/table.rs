@@ -1,6 +1,7 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, build, extend, film, lint, sort, trace, view};
+use super::tree::lbvh;
+use super::{CLEAR, Pass, extend, film, lint, sort, trace, view};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &[
@@ -12,11 +13,11 @@ pub static TABLE: &[&Pass] = &[
     &sort::SORT_SCAN_FEW,
     &sort::SORT_SCATTER,
     &sort::SORT_FILL,
-    &build::BOUNDS,
-    &build::MORTON,
-    &build::LEAVES,
-    &build::PYRAMID,
-    &build::NODES,
+    &lbvh::BOUNDS,
+    &lbvh::MORTON,
+    &lbvh::LEAVES,
+    &lbvh::PYRAMID,
+    &lbvh::NODES,
     &extend::EXTEND,
     &extend::OCCLUDED,
     &trace::PATH,

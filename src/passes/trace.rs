@@ -2,6 +2,7 @@
 
 use glam::{DVec3, UVec2, Vec3};
 
+use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::film::largest_sample;
 use crate::layout::trace::{
@@ -24,7 +25,8 @@ pub static PATH: Pass = Pass {
         Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
         Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
     ],
-    makes: Makes::Film,
+    makes: &[Makes::Film],
+    twin: twin!(path::PathScene::sample),
 };
 
 /// Where a camera is and looks. World space, scene units.

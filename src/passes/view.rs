@@ -1,5 +1,6 @@
 //! What is seen first through the middle of every pixel, as a picture: in place of the film's.
 
+use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::view::ViewParams;
 
@@ -16,7 +17,8 @@ pub static VIEW: Pass = Pass {
         Binding::write("picture", "array<u32>"),
         Binding::read("shading", "array<Shading>").when(&["normals"]),
     ],
-    makes: Makes::Picture,
+    makes: &[Makes::Picture],
+    twin: twin!(view::ViewScene::view),
 };
 
 /// Records the picture of the shot's window.

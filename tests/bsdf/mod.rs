@@ -109,7 +109,8 @@ macro_rules! probe {
             module: "tests/bsdf",
             entry: $entry,
             bindings: &[Binding::params("BsdfProbe"), Binding::write("probed", "array<vec4<f32>>")],
-            makes: lucerna::passes::Makes::Answers,
+            makes: &[],
+            twin: lucerna::passes::Twin::None("of a test"),
         };
     };
 }
