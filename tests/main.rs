@@ -51,6 +51,7 @@ mod statistics;
 mod support;
 mod tree;
 mod tree_builder;
+mod unpack;
 mod unseen;
 mod view;
 mod window;

@@ -15,8 +15,11 @@ pub mod sky;
 pub mod sort;
 pub mod trace;
 pub mod tree;
+mod vectors;
 pub mod view;
 pub mod window;
+
+pub use vectors::Vectors;
 
 use bytemuck::{Pod, Zeroable};
 use glam::{IVec2, IVec3, IVec4, UVec2, UVec3, UVec4, Vec2, Vec3, Vec4};
@@ -54,6 +57,14 @@ pub static ALL: &[&StructLayout] = &[
     &lint::LintCase::LAYOUT,
     &lint::LintAnswer::LAYOUT,
     &lint::LintParams::LAYOUT,
+];
+
+/// Every struct that WGSL may read by vectors of four words: what unpacks them is imported from `package::gen` as well.
+pub static VECTORS: &[Vectors] = &[
+    Vectors::of(&tree::Triangle::LAYOUT),
+    Vectors::of(&tree::Node::LAYOUT),
+    Vectors::of(&light::LightRecord::LAYOUT),
+    Vectors::of(&trace::MaterialRecord::LAYOUT),
 ];
 
 /// Every constant that WGSL can import from `package::gen`, module by module.

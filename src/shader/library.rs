@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::files;
-use crate::layout::{GpuConst, StructLayout};
+use crate::layout::{GpuConst, StructLayout, Vectors};
 
 use super::Features;
 use super::error::{ErrorKind, ShaderError, Source};
@@ -105,6 +105,12 @@ impl Library {
     /// The library with more shared structs and constants in `package::gen`.
     pub fn with_layouts(mut self, structs: &[&'static StructLayout], consts: &'static [GpuConst]) -> Self {
         self.shared.add(structs, consts);
+        self
+    }
+
+    /// The library with the unpacking of more structs in `package::gen`; they are among its shared structs.
+    pub fn with_vectors(mut self, vectors: &[Vectors]) -> Self {
+        self.shared.add_vectors(vectors);
         self
     }
 

@@ -1,7 +1,7 @@
 // A light drawn to be asked directly, and the density with which that is done.
 
 import package::gen::{TraceParams, NO_HIT};
-@if(lights) import package::gen::{LightRecord, MATERIAL_ONE_SIDED, MaterialRecord};
+@if(lights) import package::gen::{LIGHT_RECORD_STRIDE, LightRecord, MATERIAL_ONE_SIDED, MaterialRecord, unpack_light_record};
 @if(lights) import package::lib::alias::{alias_pick};
 @if(lights) import package::lib::intersect::{triangle_normal};
 @if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point};
@@ -13,15 +13,8 @@ import package::gen::{TraceParams, NO_HIT};
 // By four words, as nodes are read.
 @if(lights)
 fn load_light(index: u32) -> LightRecord {
-    let at = 4u * index;
-    let a = lights[at];
-    let b = lights[at + 1u];
-    let c = lights[at + 2u];
-    let emission = lights[at + 3u];
-    return LightRecord(
-        bitcast<vec3<f32>>(a.xyz), bitcast<f32>(a.w), bitcast<vec3<f32>>(b.xyz), b.w,
-        bitcast<vec3<f32>>(c.xyz), c.w, bitcast<vec3<f32>>(emission.xyz), bitcast<f32>(emission.w),
-    );
+    let at = LIGHT_RECORD_STRIDE * index;
+    return unpack_light_record(lights[at], lights[at + 1u], lights[at + 2u], lights[at + 3u]);
 }
 
 // How far from the way to a light, as part of it, the t may be at which its own test finds it: many roundings, unless the light is so

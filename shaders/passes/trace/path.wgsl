@@ -4,6 +4,7 @@
 // begin, extend, shade and connect are functions over one path state, and the entry point composes them.
 
 import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
+import package::gen::{MATERIAL_RECORD_STRIDE, unpack_material_record};
 import package::gen::{Hit, Ray, Triangle, NO_HIT, T_FAR};
 import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
 import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
@@ -38,13 +39,8 @@ const LARGEST_F32: f32 = 0x1.fffffep+127;
 
 // By four words, as nodes are read.
 fn load_material(index: u32) -> MaterialRecord {
-    let at = 5u * index;
-    let kd = bitcast<vec4<f32>>(materials[at]);
-    let ks = materials[at + 1u];
-    let emission = bitcast<vec4<f32>>(materials[at + 2u]);
-    let tf = bitcast<vec4<f32>>(materials[at + 3u]);
-    let rest = bitcast<vec4<f32>>(materials[at + 4u]);
-    return MaterialRecord(kd.xyz, kd.w, bitcast<vec3<f32>>(ks.xyz), ks.w, emission.xyz, emission.w, tf.xyz, tf.w, rest.x, rest.y, 0u, 0u);
+    let at = MATERIAL_RECORD_STRIDE * index;
+    return unpack_material_record(materials[at], materials[at + 1u], materials[at + 2u], materials[at + 3u], materials[at + 4u]);
 }
 
 fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {

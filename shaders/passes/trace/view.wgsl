@@ -2,6 +2,7 @@
 
 import package::gen::{Hit, Ray, Triangle, ViewParams, NO_HIT, T_FAR};
 import package::gen::{VIEW_ALBEDO, VIEW_COST, VIEW_DEPTH, VIEW_MATERIAL, VIEW_MOST_STEPS, VIEW_NORMAL};
+import package::gen::{MATERIAL_RECORD_KD, MATERIAL_RECORD_KS, MATERIAL_RECORD_STRIDE, material_record_kd, material_record_ks};
 @if(normals) import package::gen::{Shading};
 import package::lib::camera::{camera_direction};
 import package::lib::colour::{srgb8};
@@ -28,10 +29,10 @@ fn codes(v: vec3<f32>) -> u32 {
     return word(vec3<u32>(clamp(v, vec3<f32>(0.0), vec3<f32>(1.0)) * 255.0 + 0.5));
 }
 
-// kd and ks are the first two of a record's five times four words.
 fn albedo(material: u32) -> vec3<f32> {
-    let kd = bitcast<vec3<f32>>(materials[5u * material].xyz);
-    let ks = bitcast<vec3<f32>>(materials[5u * material + 1u].xyz);
+    let at = MATERIAL_RECORD_STRIDE * material;
+    let kd = material_record_kd(materials[at + MATERIAL_RECORD_KD]);
+    let ks = material_record_ks(materials[at + MATERIAL_RECORD_KS]);
     return kd + ks;
 }
 
