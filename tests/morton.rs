@@ -1,7 +1,8 @@
 //! Bounds and Morton codes against their CPU twins, which give the same bits; and the scenes that the tree is tested on.
 
 use glam::{UVec3, Vec3};
-use lucerna::cpu::morton::{self, Bounds, SceneBounds};
+use lucerna::cpu::bounds::Bounds;
+use lucerna::cpu::morton::{self, SceneBounds};
 use lucerna::gpu::Runtime;
 use lucerna::layout::tree::{BOUNDS_WORDS, Triangle};
 use lucerna::passes::Recording;

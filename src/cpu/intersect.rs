@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3, Vec3Swizzles};
 
-use super::morton::Bounds;
+use super::bounds::{Bounds, padded_box};
 use crate::layout::ray::{FAR_GROWTH, INSET, LEAST_AREA, LEAST_PART, Ray, SLAB_GROWTH};
 
 /// How a device rounds WGSL's `fma()`, which may be either.
@@ -84,13 +84,6 @@ pub fn largest_axis(d: Vec3) -> usize {
     } else {
         1
     }
-}
-
-/// A triangle's box, grown by what its own coordinates ask for.
-pub fn padded_box(a: Vec3, b: Vec3, c: Vec3) -> Bounds {
-    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-    let growth = SLAB_GROWTH * high.max(-low).max_element();
-    Bounds { low: low - growth, high: high + growth }
 }
 
 /// `extent` is the greatest coordinate of the scene's box. The direction is not zero.

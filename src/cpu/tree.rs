@@ -5,7 +5,8 @@
 
 use glam::Vec4;
 
-use super::morton::{self, Bounds};
+use super::bounds::Bounds;
+use super::morton;
 use crate::layout::tree::{LEAF_BIT, LeafBox, NO_ROOT, Node, Triangle, node_count};
 
 /// A tree, and the triangles of its leaves in leaf order.

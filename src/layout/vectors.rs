@@ -2,7 +2,7 @@
 //!
 //! lavapipe reads each member of a struct by a loop of its own over its lanes, with a branch for each, and four words by one.
 
-use super::{FieldLayout, FieldType, StructLayout};
+use super::types::{FieldLayout, FieldType, StructLayout};
 
 /// A struct that WGSL may read as so many `vec4<u32>`.
 ///
