@@ -87,10 +87,10 @@ fn recordings(purpose: Makes) -> Vec<Recording> {
             })]
         }
         Makes::Picture => {
-            let shot = TraceParams { window_width: 1, window_height: 1, ..TraceParams::default() };
+            let trace_params = TraceParams { window_width: 1, window_height: 1, ..TraceParams::default() };
             vec![record(&|recording| {
                 film::record_display(recording, 1, 0, 0.0);
-                view::record(recording, &ViewParams { shot, ..ViewParams::default() });
+                view::record(recording, &ViewParams { trace_params, ..ViewParams::default() });
             })]
         }
     }

@@ -166,8 +166,8 @@ pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<Tr
         return None;
     }
     let interval = slab_interval(query, padded_box(a, b, c));
-    let raw = triangle_normal(fma, a * query.unit, b * query.unit, c * query.unit);
-    if interval.x > interval.y || raw == Vec3::ZERO {
+    let area_normal = triangle_normal(fma, a * query.unit, b * query.unit, c * query.unit);
+    if interval.x > interval.y || area_normal == Vec3::ZERO {
         return None;
     }
     let scale = fma.reciprocal(det);
@@ -189,8 +189,8 @@ pub fn surface_point(a: Vec3, b: Vec3, c: Vec3, b1: f32, b2: f32) -> (Vec3, Vec3
 
 /// A point of a triangle moved away from the edges that are nearer than `margin`, to that distance.
 fn inset(point: Vec3, margin: f32, [a, b, c]: [Vec3; 3]) -> Vec3 {
-    let raw = (b - a).cross(c - a);
-    let up = (raw / raw.abs().max_element()).normalize();
+    let area_normal = (b - a).cross(c - a);
+    let up = (area_normal / area_normal.abs().max_element()).normalize();
     let push = |from: Vec3, to: Vec3| {
         let edge = to - from;
         let inwards = up.cross((edge / edge.abs().max_element()).normalize());

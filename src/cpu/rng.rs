@@ -12,7 +12,7 @@ pub enum Source {
     /// Independent numbers.
     #[default]
     Pcg,
-    /// Owen-scrambled sequences, stratified over the indices.
+    /// Owen-scrambled (0, 4)-sequences in base 4, stratified over the indices: of the quality of Sobol's, not his own.
     Sobol,
 }
 

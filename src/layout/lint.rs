@@ -1,4 +1,4 @@
-//! What a surface is asked about itself, and what it answers.
+//! What the linter evaluates of a surface, and the results.
 
 use glam::Vec3;
 

@@ -58,7 +58,7 @@ pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponen
     recording.run(&ACCUMULATE, Size::Items(pixels)).params(&accumulate_params(trace, exponent, first_pixel));
 }
 
-/// What the accumulate pass is told after a trace with `trace`.
+/// Parameters of the accumulate pass after a trace with `trace`.
 pub fn accumulate_params(trace: &TraceParams, exponent: i32, first_pixel: u32) -> AccumulateParams {
     AccumulateParams {
         film_width: trace.film_width,
@@ -78,7 +78,7 @@ pub fn record_display(recording: &mut Recording, pixels: u32, exponent: i32, exp
     recording.run(&DISPLAY, Size::Items(u64::from(pixels))).params(&display_params(pixels, exponent, exposure))
 }
 
-/// What the display pass is told.
+/// Parameters of the display pass.
 pub fn display_params(pixels: u32, exponent: i32, exposure: f32) -> DisplayParams {
     let scale = 2f64.powf(f64::from(exposure) - f64::from(exponent));
     DisplayParams { pixels, scale: (scale as f32).clamp(f32::MIN_POSITIVE, f32::MAX) }

@@ -1,4 +1,4 @@
-//! A surface's code, asked about itself: what it draws, and what it says of given directions.
+//! A surface's code, evaluated for the linter: what it draws, and what it returns for given directions.
 
 use super::twin::twin;
 use super::{Binding, Pass, Recording, Size};

@@ -21,8 +21,9 @@ pub static VIEW: Pass = Pass {
     twin: twin!(view::ViewScene::view),
 };
 
-/// Records the picture of the shot's window.
+/// Records the picture of its window.
 pub fn record(recording: &mut Recording, params: &ViewParams) {
-    let size = Size::Pixels { width: params.shot.window_width, height: params.shot.window_height, layers: 1 };
+    let size =
+        Size::Pixels { width: params.trace_params.window_width, height: params.trace_params.window_height, layers: 1 };
     recording.run(&VIEW, size).params(params);
 }

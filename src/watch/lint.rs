@@ -47,8 +47,16 @@ pub fn kinds(materials: &[(String, MaterialRecord)]) -> Vec<&(String, MaterialRe
         true => m.ns.max(1.0).log10() as i32,
         false => m.alpha.max(1e-4).log10() as i32,
     };
-    let kind =
-        |m: &MaterialRecord| (m.flags, m.glossy > 0.0, m.glossy < 1.0, m.transparency > 0.0, m.has_phong(), width(m));
+    let kind = |m: &MaterialRecord| {
+        (
+            m.flags,
+            m.specular_probability > 0.0,
+            m.specular_probability < 1.0,
+            m.transparency > 0.0,
+            m.has_phong(),
+            width(m),
+        )
+    };
     let white = |m: &MaterialRecord| (m.kd + m.ks).max_element();
     let mut found: Vec<&(String, MaterialRecord)> = Vec::new();
     for material in materials {

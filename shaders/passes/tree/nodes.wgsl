@@ -1,7 +1,7 @@
 // The binary radix tree over the sorted codes (Karras 2012, "Maximizing Parallelism in the Construction of BVHs,
 // Octrees, and k-d Trees"), each node with the boxes of its two children.
 //
-// A thread finds the range of its node and where that splits, and asks the pyramid for the boxes of both halves. No
+// A thread finds the range of its node and where that splits, and queries the pyramid for the boxes of both halves. No
 // thread reads what another one of this dispatch writes, so nothing depends on the order in which they run.
 
 import package::gen::{BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, SORT_IN_BACK, SortPlan};

@@ -187,8 +187,8 @@ impl<'a> Trial<'a> {
     /// 1, unless the material as it was written reflects more, or squeezes radiance.
     fn largest_albedo(&self) -> f64 {
         let material: &MaterialRecord = &self.case.material;
-        let squeeze = if material.flags & MATERIAL_DIELECTRIC != 0 { f64::from(material.ni).powi(2) } else { 1.0 };
-        f64::from((material.kd + material.ks).max_element()).max(squeeze)
+        let eta_squared = if material.flags & MATERIAL_DIELECTRIC != 0 { f64::from(material.ni).powi(2) } else { 1.0 };
+        f64::from((material.kd + material.ks).max_element()).max(eta_squared)
     }
 }
 
