@@ -23,7 +23,7 @@ impl Bounds {
         Self { low, high }
     }
 
-    /// The box of one triangle, grown by what slabs ask for (`padded_box` in `lib/intersect`).
+    /// The box of one triangle, grown by what slabs need (`padded_box` in `lib/intersect`).
     pub fn padded(triangle: &Triangle) -> Self {
         padded_box(triangle.a, triangle.b, triangle.c)
     }

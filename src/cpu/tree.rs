@@ -1,7 +1,7 @@
 //! Twins of `leaves`, `pyramid` and `nodes`.
 //!
 //! The tree is the same as the GPU's, found another way: ranges are split from the root down and boxes are joined from
-//! the leaves up, where the GPU searches each node's range by itself and asks the pyramid.
+//! the leaves up, where the GPU searches each node's range by itself and queries the pyramid.
 
 use glam::Vec4;
 

@@ -12,7 +12,7 @@ pub static LINT: Pass = Pass {
     bindings: &[
         Binding::params("LintParams"),
         Binding::read("lint_cases", "array<LintCase>"),
-        Binding::read("lint_asked", "array<vec4<f32>>"),
+        Binding::read("lint_directions", "array<vec4<f32>>"),
         Binding::write("lint_answers", "array<LintAnswer>"),
     ],
     makes: &[],
@@ -22,7 +22,7 @@ pub static LINT: Pass = Pass {
 /// Buffers for so many answers, beside `lint_cases`.
 pub fn buffers(answers: u32) -> Vec<(&'static str, u64)> {
     let answers = u64::from(answers.max(1));
-    vec![("lint_asked", answers * 16), ("lint_answers", answers * size_of::<LintAnswer>() as u64)]
+    vec![("lint_directions", answers * 16), ("lint_answers", answers * size_of::<LintAnswer>() as u64)]
 }
 
 /// Records as many answers as `params` says.

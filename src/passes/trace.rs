@@ -136,7 +136,7 @@ impl TraceParams {
         (self.window_width, self.window_height) = (max.x - min.x, max.y - min.y);
     }
 
-    /// The lights, in a scene whose box is `radius` from its middle to a corner. Lights and sky are asked by the power that
+    /// The lights, in a scene whose box is `radius` from its middle to a corner. Lights and sky are sampled by the power that
     /// each sends into the scene, but none more than nine times as often.
     pub fn light(&mut self, lighting: &Lighting, radius: f64) {
         let has_lights = lighting.lights > 0;

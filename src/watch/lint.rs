@@ -96,7 +96,7 @@ pub fn run(
     }
     let trials: Vec<_> = cases.iter().zip(draws.chunks_exact(DRAWS)).map(|(c, d)| Trial::new(c, d, seed)).collect();
     let points: Vec<Vec4> = trials.iter().flat_map(|(_, points)| points).map(|p| p.as_vec3().extend(0.0)).collect();
-    runtime.upload("lint_asked", &points)?;
+    runtime.upload("lint_directions", &points)?;
     let answers = ask(&mut runtime, cases.len(), POINTS, seed, false)?;
     if !wanted() {
         return Ok(None);

@@ -1,5 +1,5 @@
-// Asks a surface about itself, for a judge on the CPU: draws of mixture_sample() with what mixture_evaluate() says of them, or
-// what it says of directions that the judge has chosen.
+// Evaluates a surface for the linter on the CPU: draws of mixture_sample() with what mixture_evaluate() returns for them, or what it
+// returns for directions that the linter has chosen.
 
 import package::gen::{LintAnswer, LintCase, LintParams, SampleKey};
 import package::lib::bsdf::mixture::{BsdfSample, ShadingFrame, mixture_evaluate, mixture_sample};
@@ -7,7 +7,7 @@ import package::lib::rng::{sample_1d, sample_2d};
 
 @group(0) @binding(0) var<storage, read> params: LintParams;
 @group(0) @binding(1) var<storage, read> lint_cases: array<LintCase>;
-@group(0) @binding(2) var<storage, read> lint_asked: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read> lint_directions: array<vec4<f32>>;
 @group(0) @binding(3) var<storage, read_write> lint_answers: array<LintAnswer>;
 
 @compute @workgroup_size(64)
@@ -22,7 +22,7 @@ fn surface(
     }
     let surface = lint_cases[i / params.per_case];
     let frame = ShadingFrame(surface.wo, surface.normal, surface.normal, 0u);
-    var drawn = BsdfSample(lint_asked[i].xyz, 0.0, vec3<f32>(0.0));
+    var drawn = BsdfSample(lint_directions[i].xyz, 0.0, vec3<f32>(0.0));
     if (params.draw != 0u) {
         let key = SampleKey(i, 0u, 0u, params.seed);
         drawn = mixture_sample(surface.material, frame, sample_1d(key, 0u), sample_2d(key, 1u));
