@@ -6,8 +6,8 @@ use lucerna::cpu::tree::{self, Tree};
 use lucerna::cpu::tree_check::{TreeFault, TreeMeasure, measure};
 use lucerna::gpu::Runtime;
 use lucerna::layout::tree::{BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, Triangle, node_count, root};
-use lucerna::passes::tree::lbvh;
 use lucerna::passes::tree::pyramid::pyramid_boxes;
+use lucerna::passes::tree::{PLAN, lbvh};
 use lucerna::passes::{Binding, Pass, Recording, Size};
 use lucerna::scene::generate::SplitMix;
 use lucerna::shader::Library;
@@ -319,4 +319,34 @@ fn every_build_of_a_large_tree_gives_the_same() {
         build_again_and_again("clustered", &clustered(n), 100);
         build_again_and_again("all equal", &cloud(n, 0.0, |_, _| Vec3::ONE), 100);
     }
+}
+
+#[test]
+fn the_plan_is_of_one_tree() {
+    let triangles = support::trees::records(&support::trees::sphere(2));
+    let count = triangles.len() as u32;
+    let mut buffers = std::collections::BTreeMap::new();
+    (PLAN.twin)(&triangles, &mut |name, bytes| {
+        buffers.insert(name, bytes.to_vec());
+    });
+    assert_eq!(buffers.keys().copied().collect::<Vec<_>>(), ["leaves", "nodes"]);
+    for (name, bytes) in &buffers {
+        assert_eq!(bytes.len() as u64, PLAN.bytes(name, count), "{name}");
+    }
+    let (leaves, mut nodes) = (&buffers["leaves"], buffers["nodes"].clone());
+    let tree = tree::build(&triangles);
+    assert_eq!((PLAN.cost)(leaves, &nodes).unwrap().sah, measure(&tree.leaves, &tree.nodes).unwrap().sah);
+    let mut rig = Runtime::new(support::gpu(), Library::shipped());
+    for (name, bytes) in (PLAN.buffers)(count) {
+        rig.reserve(name, bytes).unwrap();
+    }
+    rig.upload("triangles", &triangles).unwrap();
+    let mut recording = Recording::default();
+    (PLAN.record)(&mut recording, &triangles);
+    rig.play(&recording).unwrap();
+    for (name, bytes) in &buffers {
+        assert!(rig.read_some::<u8>(name, bytes.len()).unwrap() == *bytes, "{name}");
+    }
+    nodes[48] ^= 1;
+    assert!((PLAN.cost)(leaves, &nodes).is_err());
 }

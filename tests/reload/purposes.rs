@@ -17,12 +17,10 @@ fn last_of(purpose: Makes) -> &'static str {
     }
 }
 
-/// What a reload reports where all that the pass makes starts anew.
+/// What a reload reports where all that the passes of the edited module make starts anew.
 fn expected(pass: &Pass) -> &'static str {
-    if UNUSED.contains(&pass.name) {
-        return "nothing";
-    }
-    match pass.makes {
+    let used = TABLE.iter().find(|other| other.module == pass.module && !UNUSED.contains(&other.name));
+    match used.map_or(&[][..], |used| used.makes) {
         [] => "nothing",
         [Makes::Tree] => "tree",
         [Makes::Film] => "film",
@@ -51,7 +49,7 @@ fn an_edit_of_any_pass_makes_again_all_that_it_makes() {
             restarts = bench.reloaded();
         });
         assert_eq!(restarts, expected(pass), "{}", pass.name);
-        if restarts != "nothing" {
+        if !UNUSED.contains(&pass.name) && restarts != "nothing" {
             assert!(ran.contains_key(pass.name), "{} did not run: {ran:?}", pass.name);
             for purpose in pass.makes {
                 assert!(ran.contains_key(last_of(*purpose)), "{}: no {purpose:?} was made: {ran:?}", pass.name);
