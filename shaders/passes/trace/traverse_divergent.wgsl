@@ -74,11 +74,11 @@ fn traverse_nodes(query: Query, root: u32, enough: f32) -> Hit {
     var bottom = 0u;
     var last = root;
     var visit = Visit(root, NO_ROOT, NO_ROOT, NO_ROOT);
-    var active = root != NO_ROOT;
-    if active && root >= LEAF_BIT {
+    var traversing = root != NO_ROOT;
+    if traversing && root >= LEAF_BIT {
         visit = Visit(NO_ROOT, NO_ROOT, root, NO_ROOT);
     }
-    while active && hit.steps < MAX_STEPS {
+    while traversing && hit.steps < MAX_STEPS {
         for (var i = 0u; i < VISITS_PER_LEAF && visit.first_leaf == NO_ROOT; i += 1u) {
             if visit.next == NO_ROOT {
                 if top != bottom {
@@ -88,7 +88,7 @@ fn traverse_nodes(query: Query, root: u32, enough: f32) -> Hit {
                     visit.next = climb(query, last, &hit);
                 }
                 if visit.next == NO_ROOT {
-                    active = false;
+                    traversing = false;
                     break;
                 }
             }
@@ -105,7 +105,7 @@ fn traverse_nodes(query: Query, root: u32, enough: f32) -> Hit {
             test_leaf(query, visit.first_leaf & ~LEAF_BIT, &hit);
             visit.first_leaf = visit.second_leaf;
             visit.second_leaf = NO_ROOT;
-            active = hit.t >= enough;
+            traversing = hit.t >= enough;
         }
     }
     return hit;

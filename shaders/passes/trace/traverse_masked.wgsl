@@ -57,9 +57,9 @@ fn traverse_nodes(query: Query, root: u32, enough: f32) -> Hit {
     // Entries pushed and not popped, and how many of them, from the oldest, were forgotten.
     var top = 0u;
     var bottom = 0u;
-    var active = root != NO_ROOT;
+    var traversing = root != NO_ROOT;
     var traversal = Traversal(root, NO_ROOT, NO_ROOT, NO_ROOT, NO_ROOT, NO_ROOT);
-    if active && root >= LEAF_BIT {
+    if traversing && root >= LEAF_BIT {
         traversal.first_leaf = root;
         traversal.next = NO_ROOT;
     }
@@ -67,7 +67,7 @@ fn traverse_nodes(query: Query, root: u32, enough: f32) -> Hit {
         var visits = 0u;
         loop {
             visits += 1u;
-            if active && traversal.first_leaf == NO_ROOT {
+            if traversing && traversal.first_leaf == NO_ROOT {
                 var below = NO_ROOT;
                 if traversal.next == NO_ROOT {
                     if top != bottom {
@@ -78,8 +78,8 @@ fn traverse_nodes(query: Query, root: u32, enough: f32) -> Hit {
                         traversal.next = traversal.parent;
                     }
                 }
-                active = traversal.next != NO_ROOT && hit.steps < MAX_STEPS;
-                if active {
+                traversing = traversal.next != NO_ROOT && hit.steps < MAX_STEPS;
+                if traversing {
                     hit.steps += 1u;
                     traversal = visit_node(query, traversal.next, below, hit.t);
                     if traversal.later != NO_ROOT {
@@ -90,17 +90,17 @@ fn traverse_nodes(query: Query, root: u32, enough: f32) -> Hit {
                 }
             }
             continuing {
-                break if visits == VISITS_PER_LEAF || !active || traversal.first_leaf != NO_ROOT;
+                break if visits == VISITS_PER_LEAF || !traversing || traversal.first_leaf != NO_ROOT;
             }
         }
         if traversal.first_leaf != NO_ROOT {
             test_leaf(query, traversal.first_leaf & ~LEAF_BIT, &hit);
             traversal.first_leaf = traversal.second_leaf;
             traversal.second_leaf = NO_ROOT;
-            active = hit.t >= enough;
+            traversing = hit.t >= enough;
         }
         continuing {
-            break if !active;
+            break if !traversing;
         }
     }
     return hit;
