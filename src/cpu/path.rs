@@ -37,7 +37,7 @@ pub struct PathScene<'a> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Traced {
     pub radiance: DVec3,
-    /// Rays it took.
+    /// Rays that were traced for it.
     pub rays: u32,
 }
 

@@ -31,14 +31,14 @@ fn sorted_code(leaf: u32, in_back: bool) -> vec2<u32> {
     return keys[leaf];
 }
 
-// The leaf that prefixes are taken with.
+// The leaf that others are compared with.
 struct Origin {
     leaf: i32,
     code: vec2<u32>,
     in_back: bool,
 }
 
-// Length of the common prefix with another leaf, equal codes told apart by their indices; -1 outside.
+// Length of the common prefix with another leaf, equal codes being ordered by their indices; -1 outside.
 fn prefix(origin: Origin, other: i32) -> i32 {
     if (other < 0 || other >= i32(params.count)) {
         return -1;

@@ -4,7 +4,7 @@
 //! boxes. So every pass reads only what earlier dispatches wrote, which is all the order that WGSL promises between
 //! workgroups.
 
-use super::Plan;
+use super::plan::{Plan, PutBuffer};
 use super::pyramid::{levels, pyramid_boxes};
 use crate::cpu::tree_check::{TreeFault, TreeMeasure, measure};
 use crate::cpu::{self, morton};
@@ -100,7 +100,7 @@ const MOST_TRIANGLES: u32 = 1 << 29;
 const BOUNDS_GROUP: u32 = 256;
 
 /// Builds on the CPU.
-fn twin(triangles: &[Triangle], put: &mut dyn FnMut(&'static str, &[u8])) {
+fn twin(triangles: &[Triangle], put: &mut PutBuffer<'_>) {
     let tree = cpu::tree::build(triangles);
     put("leaves", bytemuck::cast_slice(&tree.leaves));
     put("nodes", bytemuck::cast_slice(&tree.nodes));

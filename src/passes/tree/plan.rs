@@ -4,6 +4,9 @@ use crate::cpu::tree_check::{TreeFault, TreeMeasure};
 use crate::layout::tree::Triangle;
 use crate::passes::Recording;
 
+/// Receives the contents of a buffer, by its name.
+pub type PutBuffer<'a> = dyn FnMut(&'static str, &[u8]) + 'a;
+
 /// A builder of trees: from `triangles`, in scene order, to `leaves` and `nodes`.
 #[derive(Debug)]
 pub struct Plan {
@@ -17,7 +20,7 @@ pub struct Plan {
     /// The word that names the root of a tree over so many triangles, as traversal expects it.
     pub root: fn(count: u32) -> u32,
     /// The same tree, built on the CPU: hands over the contents of each buffer that traversal reads.
-    pub twin: fn(&[Triangle], &mut dyn FnMut(&'static str, &[u8])),
+    pub twin: fn(&[Triangle], &mut PutBuffer<'_>),
     /// Checks the contents of `leaves` and `nodes`, and measures what traversing them costs.
     pub cost: fn(leaves: &[u8], nodes: &[u8]) -> Result<TreeMeasure, TreeFault>,
 }
