@@ -147,14 +147,14 @@ fn what_a_scene_lacks_is_not_compiled() {
     finish(&mut engine, STEP);
     let features = |engine: &Engine| engine.features().clone();
     let plain = features(&engine);
-    assert!(!plain.contains("glossy") && !plain.contains("environment"), "{plain:?}");
+    assert!(!plain.contains("phong") && !plain.contains("environment"), "{plain:?}");
     engine.edit(|world| {
         world.spawn((Name::new("sky"), Environment::Constant(Vec3::ONE)));
         change::<Material>(world, |m| m.ks = Vec3::splat(0.1));
     });
     finish(&mut engine, STEP);
     let rich = features(&engine);
-    assert!(rich.contains("glossy") && rich.contains("environment"), "{rich:?}");
+    assert!(rich.contains("phong") && rich.contains("environment"), "{rich:?}");
 }
 
 #[test]

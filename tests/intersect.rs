@@ -1,11 +1,11 @@
 //! The twin's arithmetic: what the proofs of watertightness and of the one least hit rest upon.
 
 use glam::{DVec3, Vec2, Vec3};
+use lucerna::cpu::bounds::Bounds;
 use lucerna::cpu::intersect::{
     Fma, difference_of_products, edge_function, intersect_triangle, offset_ray_origin, prepare_query, slab_interval,
     surface_point, triangle_normal,
 };
-use lucerna::cpu::morton::Bounds;
 use lucerna::cpu::traverse::{any_hit, closest_hit, closest_hit_brute};
 use lucerna::layout::ray::{NO_HIT, Ray};
 use lucerna::scene::generate::{SplitMix, spheres, terrain, to_mesh};

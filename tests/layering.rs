@@ -86,7 +86,7 @@ fn modules_know_only_what_is_below_them() {
         ("files", &[]),
         ("scene", &["components", "files", "image"]),
         ("shader", &["files", "layout"]),
-        ("passes", &["layout"]),
+        ("passes", &["cpu", "layout"]),
         ("stats", &[]),
         ("oracle", &["components"]),
         ("cpu", &["image", "layout", "stats"]),

@@ -53,6 +53,7 @@ mod statistics;
 mod support;
 mod tree;
 mod tree_builder;
+mod unpack;
 mod unseen;
 mod view;
 mod window;

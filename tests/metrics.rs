@@ -1,7 +1,7 @@
 //! Metrics and block statistics of two pictures, against values worked out by hand and against planted differences.
 
 use glam::UVec2;
-use lucerna::cpu::rng::pcg4d;
+use lucerna::cpu::pcg4d::pcg4d;
 use lucerna::stats::blocks::{Blocks, Grid, LEAST_PIXELS, limit};
 use lucerna::stats::metrics::{Census, Difference, peak_signal_to_noise};
 

@@ -1,10 +1,12 @@
 //! Bounds and Morton codes against their CPU twins, which give the same bits; and the scenes that the tree is tested on.
 
 use glam::{UVec3, Vec3};
-use lucerna::cpu::morton::{self, Bounds, SceneBounds};
+use lucerna::cpu::bounds::Bounds;
+use lucerna::cpu::morton::{self, SceneBounds};
 use lucerna::gpu::Runtime;
 use lucerna::layout::tree::{BOUNDS_WORDS, Triangle};
-use lucerna::passes::{Recording, build};
+use lucerna::passes::Recording;
+use lucerna::passes::tree::lbvh;
 use lucerna::scene::generate::SplitMix;
 
 use crate::support;
@@ -75,7 +77,7 @@ pub fn scenes(n: u32) -> Vec<(&'static str, Vec<Triangle>)> {
 /// A runtime with buffers for that many triangles.
 pub fn rig_for(n: u32) -> Runtime {
     let mut rig = support::rig();
-    for (name, bytes) in build::buffers(n) {
+    for (name, bytes) in lbvh::buffers(n) {
         rig.reserve(name, bytes).unwrap();
     }
     rig
@@ -85,7 +87,7 @@ fn check(rig: &mut Runtime, what: &str, triangles: &[Triangle]) {
     let n = triangles.len() as u32;
     rig.upload("triangles", triangles).unwrap();
     let mut recording = Recording::default();
-    build::record_codes(&mut recording, n, morton::core_of(triangles));
+    lbvh::record_codes(&mut recording, n, morton::core_of(triangles));
     rig.play(&recording).unwrap();
 
     if n > 0 {

@@ -1,9 +1,17 @@
 //! The pass table against the WGSL, without a GPU: every row under many sets of features.
 
 use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use lucerna::gpu::checked_entry;
+use lucerna::layout::sort::{SORT_FEW_TILES, SORT_TILE};
+use lucerna::layout::trace::TraceParams;
+use lucerna::layout::tree::Triangle;
+use lucerna::layout::view::ViewParams;
 use lucerna::passes::table::TABLE;
+use lucerna::passes::tree::PLAN;
+use lucerna::passes::{Makes, Recording, Twin, film, trace, view};
 use lucerna::shader::{Features, Library};
 
 #[test]
@@ -55,6 +63,72 @@ fn every_entry_point_is_in_the_table_and_every_name_once() {
         for entry in entries.into_iter().filter(|_| !module.starts_with("window/")) {
             let listed = TABLE.iter().any(|pass| pass.entry == entry && linked.imports.contains(pass.module));
             assert!(listed, "{module} has an entry point `{entry}` without a row");
+        }
+    }
+}
+
+/// What an engine records for one purpose, over scenes of every size that changes which passes run.
+fn recordings(purpose: Makes) -> Vec<Recording> {
+    let record = |work: &dyn Fn(&mut Recording)| {
+        let mut recording = Recording::default();
+        work(&mut recording);
+        recording
+    };
+    match purpose {
+        Makes::Tree => [1, 2, 1000, SORT_TILE * (SORT_FEW_TILES + 1)]
+            .map(|count| record(&|recording| (PLAN.record)(recording, &vec![Triangle::default(); count as usize])))
+            .into(),
+        Makes::Film => {
+            let params = TraceParams { window_width: 1, window_height: 1, layers: 1, ..TraceParams::default() };
+            vec![record(&|recording| {
+                film::record_reset(recording, 1);
+                trace::record(recording, &params);
+                film::record_accumulate(recording, &params, 0, 0);
+            })]
+        }
+        Makes::Picture => {
+            let trace_params = TraceParams { window_width: 1, window_height: 1, ..TraceParams::default() };
+            vec![record(&|recording| {
+                film::record_display(recording, 1, 0, 0.0);
+                view::record(recording, &ViewParams { trace_params, ..ViewParams::default() });
+            })]
+        }
+    }
+}
+
+#[test]
+fn a_pass_makes_all_that_it_is_recorded_for_and_nothing_else() {
+    for purpose in [Makes::Tree, Makes::Film, Makes::Picture] {
+        let recorded: BTreeSet<&str> =
+            recordings(purpose).iter().flat_map(|recording| recording.calls()).map(|call| call.pass.name).collect();
+        let claimed: BTreeSet<&str> =
+            TABLE.iter().filter(|pass| pass.makes.contains(&purpose)).map(|pass| pass.name).collect();
+        assert_eq!(recorded, claimed, "{purpose:?}");
+    }
+}
+
+/// The text of every test.
+fn tests_text(folder: &Path) -> String {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let text =
+        |path: PathBuf| if path.is_dir() { tests_text(&path) } else { fs::read_to_string(path).unwrap_or_default() };
+    entries.map(text).collect()
+}
+
+/// That a twin exists is the compiler's to say.
+#[test]
+fn every_pass_has_a_twin_that_a_test_calls_or_says_why_it_has_none() {
+    let tests = tests_text(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests"));
+    for pass in TABLE {
+        match pass.twin {
+            Twin::Is(path) => {
+                let mut parts = path.rsplit("::").map(str::trim);
+                let (function, module) = (parts.next().unwrap(), parts.last().unwrap());
+                let calls = [format!("{function}("), format!("{module}::{function}")];
+                let imports = tests.contains(&format!("cpu::{module}")) || tests.contains(&format!("{module}::"));
+                assert!(imports && calls.iter().any(|call| tests.contains(call)), "{}: no test of {path}", pass.name);
+            }
+            Twin::None(why) => assert!(why.split(' ').count() > 3, "{}: `{why}` is no reason", pass.name),
         }
     }
 }

@@ -107,7 +107,12 @@ fn an_array_that_is_too_large_says_what_to_make_smaller() {
         ("picture", "smaller film", 4),
         ("triangles", "fewer triangles", size_of::<lucerna::layout::tree::Triangle>() as u64),
         ("shading", "fewer triangles", size_of::<lucerna::layout::trace::Shading>() as u64),
+        ("leaves", "fewer triangles", size_of::<lucerna::layout::tree::Triangle>() as u64),
+        ("nodes", "fewer triangles", size_of::<lucerna::layout::tree::Node>() as u64),
+        // Of runs of 1, 2, 4, .. leaves.
+        ("boxes", "fewer triangles", 2 * size_of::<lucerna::layout::tree::LeafBox>() as u64),
         ("keys_back", "fewer triangles", 8),
+        ("payload", "fewer triangles", 4),
         ("lights", "triangles that emit", size_of::<lucerna::layout::light::LightRecord>() as u64),
         ("materials", "fewer materials", size_of::<lucerna::layout::trace::MaterialRecord>() as u64),
         ("sort_counts", "smaller scene or film", 0),

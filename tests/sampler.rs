@@ -48,7 +48,8 @@ static DRAW_KEYS: Pass = Pass {
         Binding::read("keys", "array<vec4<u32>>"),
         Binding::write("drawn", "array<vec4<f32>>"),
     ],
-    makes: lucerna::passes::Makes::Answers,
+    makes: &[],
+    twin: lucerna::passes::Twin::None("of a test"),
 };
 
 /// A word of a test's own numbers: Steele, Lea and Flood's SplitMix64 (2014) at a place.

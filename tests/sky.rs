@@ -62,7 +62,8 @@ macro_rules! probe {
             module: "tests/sky",
             entry: $entry,
             bindings: &[Binding::params("TraceParams"), $($binding),+],
-            makes: lucerna::passes::Makes::Answers,
+            makes: &[],
+            twin: lucerna::passes::Twin::None("of a test"),
         };
     };
 }

@@ -6,7 +6,9 @@ use lucerna::cpu::tree::{self, Tree};
 use lucerna::cpu::tree_check::{TreeFault, TreeMeasure, measure};
 use lucerna::gpu::Runtime;
 use lucerna::layout::tree::{BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, Triangle, node_count, root};
-use lucerna::passes::{Binding, Pass, Recording, Size, build};
+use lucerna::passes::tree::pyramid::pyramid_boxes;
+use lucerna::passes::tree::{PLAN, lbvh};
+use lucerna::passes::{Binding, Pass, Recording, Size};
 use lucerna::scene::generate::SplitMix;
 use lucerna::shader::Library;
 
@@ -33,7 +35,7 @@ fn check(rig: &mut Runtime, what: &str, triangles: &[Triangle]) -> TreeMeasure {
     rig.upload("triangles", triangles).unwrap();
     let mut recording = Recording::default();
     spoil(&mut recording, n);
-    build::record(&mut recording, n, morton::core_of(triangles));
+    lbvh::record(&mut recording, n, morton::core_of(triangles));
     rig.play(&recording).unwrap();
     let found = download(rig, n);
     assert_same(&found, &tree::build(triangles), what);
@@ -48,7 +50,7 @@ const MOST_PYRAMID: u32 = 1 << 20;
 
 fn check_pyramid(rig: &Runtime, what: &str, leaves: &[Triangle]) {
     let expected = tree::pyramid(leaves);
-    assert_eq!(expected.len(), build::pyramid_boxes(leaves.len() as u32) as usize);
+    assert_eq!(expected.len(), pyramid_boxes(leaves.len() as u32) as usize);
     let found: Vec<LeafBox> = rig.read_some("boxes", expected.len()).unwrap();
     let wrong = found.iter().zip(&expected).position(|(a, b)| a != b);
     assert_eq!(wrong, None, "first box that differs in the pyramid over {}, {what}", leaves.len());
@@ -117,7 +119,7 @@ fn check_codes(rig: &mut Runtime, what: &str, codes: &[u64]) {
     rig.upload("payload", &order).unwrap();
     let mut recording = Recording::default();
     spoil(&mut recording, n);
-    build::record_tree(&mut recording, n);
+    lbvh::record_tree(&mut recording, n);
     rig.play(&recording).unwrap();
 
     order.sort_by_key(|&i| codes[i as usize]);
@@ -233,7 +235,8 @@ static DIFFER: Pass = Pass {
         Binding::write("differences", "array<atomic<u32>>"),
         Binding::params("BuildParams"),
     ],
-    makes: lucerna::passes::Makes::Answers,
+    makes: &[],
+    twin: lucerna::passes::Twin::None("of a test"),
 };
 
 const DIFFER_WGSL: &str = "
@@ -261,7 +264,7 @@ fn differ(
 fn differences_of_a_build(rig: &mut Runtime, n: u32, core: f32) -> u32 {
     let mut recording = Recording::default();
     spoil(&mut recording, n);
-    build::record(&mut recording, n, core);
+    lbvh::record(&mut recording, n, core);
     lucerna::passes::clear(&mut recording, "differences", 0, 1);
     let buffers = [
         ("nodes", "expected_nodes", node_count(n) * size_of::<Node>() as u32 / 4),
@@ -279,7 +282,7 @@ fn differences_of_a_build(rig: &mut Runtime, n: u32, core: f32) -> u32 {
 fn build_again_and_again(what: &str, triangles: &[Triangle], builds: u32) {
     let (n, core) = (triangles.len() as u32, morton::core_of(triangles));
     let mut rig = Runtime::new(support::gpu(), Library::shipped().with("passes/differ", DIFFER_WGSL));
-    for (name, bytes) in build::buffers(n) {
+    for (name, bytes) in lbvh::buffers(n) {
         rig.reserve(name, bytes).unwrap();
     }
     rig.reserve("differences", 4).unwrap();
@@ -316,4 +319,34 @@ fn every_build_of_a_large_tree_gives_the_same() {
         build_again_and_again("clustered", &clustered(n), 100);
         build_again_and_again("all equal", &cloud(n, 0.0, |_, _| Vec3::ONE), 100);
     }
+}
+
+#[test]
+fn the_plan_is_of_one_tree() {
+    let triangles = support::trees::records(&support::trees::sphere(2));
+    let count = triangles.len() as u32;
+    let mut buffers = std::collections::BTreeMap::new();
+    (PLAN.twin)(&triangles, &mut |name, bytes| {
+        buffers.insert(name, bytes.to_vec());
+    });
+    assert_eq!(buffers.keys().copied().collect::<Vec<_>>(), ["leaves", "nodes"]);
+    for (name, bytes) in &buffers {
+        assert_eq!(bytes.len() as u64, PLAN.bytes(name, count), "{name}");
+    }
+    let (leaves, mut nodes) = (&buffers["leaves"], buffers["nodes"].clone());
+    let tree = tree::build(&triangles);
+    assert_eq!((PLAN.cost)(leaves, &nodes).unwrap().sah, measure(&tree.leaves, &tree.nodes).unwrap().sah);
+    let mut rig = Runtime::new(support::gpu(), Library::shipped());
+    for (name, bytes) in (PLAN.buffers)(count) {
+        rig.reserve(name, bytes).unwrap();
+    }
+    rig.upload("triangles", &triangles).unwrap();
+    let mut recording = Recording::default();
+    (PLAN.record)(&mut recording, &triangles);
+    rig.play(&recording).unwrap();
+    for (name, bytes) in &buffers {
+        assert!(rig.read_some::<u8>(name, bytes.len()).unwrap() == *bytes, "{name}");
+    }
+    nodes[48] ^= 1;
+    assert!((PLAN.cost)(leaves, &nodes).is_err());
 }

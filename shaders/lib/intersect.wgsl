@@ -50,7 +50,7 @@ fn largest_axis(d: vec3<f32>) -> u32 {
     return select(select(1u, 0u, m.x >= m.y), 2u, m.z >= max(m.x, m.y));
 }
 
-// A triangle's box, grown by what its own coordinates ask for: what all boxes of the tree are joined from.
+// A triangle's box, grown by what its own coordinates need: what all boxes of the tree are joined from.
 struct PaddedBox {
     low: vec3<f32>,
     high: vec3<f32>,
@@ -149,8 +149,8 @@ fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) ->
     }
     let own = padded_box(a, b, c);
     let interval = slab_interval(query, own.low, own.high);
-    let raw = triangle_normal(a * query.unit, b * query.unit, c * query.unit);
-    if interval.x > interval.y || all(raw == vec3(0.0)) {
+    let area_normal = triangle_normal(a * query.unit, b * query.unit, c * query.unit);
+    if interval.x > interval.y || all(area_normal == vec3(0.0)) {
         return result;
     }
     let scale = reciprocal(det);
@@ -192,8 +192,8 @@ fn surface_point(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, b1: f32, b2: f32) -> 
 // than 90 degrees the offset along the normal, of an error or so, comes closer to the other wall again: INSET of them are enough
 // down to 7 degrees.
 fn inset(point: vec3<f32>, margin: f32, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> vec3<f32> {
-    let raw = triangle_normal(a, b, c);
-    let up = normalize(raw / largest_of(abs(raw)));
+    let area_normal = triangle_normal(a, b, c);
+    let up = normalize(area_normal / largest_of(abs(area_normal)));
     return point + push(point - a, b - a, up, margin) + push(point - b, c - b, up, margin) + push(point - c, a - c, up, margin);
 }
 

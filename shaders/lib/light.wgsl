@@ -4,8 +4,8 @@ import package::gen::{LightRecord, MATERIAL_ONE_SIDED, MaterialRecord};
 import package::lib::colour::{luminance};
 
 // Radiance emitted towards where the ray came from.
-fn emitted(material: MaterialRecord, from_behind: bool) -> vec3<f32> {
-    let dark = from_behind && (material.flags & MATERIAL_ONE_SIDED) != 0u;
+fn emitted(material: MaterialRecord, back_face: bool) -> vec3<f32> {
+    let dark = back_face && (material.flags & MATERIAL_ONE_SIDED) != 0u;
     return select(material.emission, vec3<f32>(0.0), dark);
 }
 

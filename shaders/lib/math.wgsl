@@ -43,7 +43,7 @@ fn sin_cos_turns(u: f32) -> vec2<f32> {
 fn turns_of(x: f32, y: f32) -> f32 {
     let a = abs(vec2<f32>(x, y));
     let ratio = min(a.x, a.y) / max(max(a.x, a.y), 1e-37);
-    // atan(r) = 1/8 turn + atan((r - 1) / (r + 1)), so that the series is asked for |z| below tan(pi / 8) only.
+    // atan(r) = 1/8 turn + atan((r - 1) / (r + 1)), so that the series is evaluated for |z| below tan(pi / 8) only.
     let reduced = ratio > 0.41421357;
     let z = select(ratio, (ratio - 1.0) / (ratio + 1.0), reduced);
     let s = z * z;

@@ -20,16 +20,16 @@ pub struct LightSample {
     pub triangle: Option<u32>,
 }
 
-/// What is asked for light: there are lights, or the sky has power.
-pub struct Asked<'a> {
+/// What light is sampled from: there are lights, or the sky has power.
+pub struct LightSampler<'a> {
     pub lights: &'a LightTable,
-    /// None where it is not asked.
+    /// None where it is not sampled.
     pub sky: Option<&'a SkyTable>,
-    /// Probability of asking one of the lights, and not the sky.
+    /// Probability of sampling one of the lights, and not the sky.
     pub light_share: f64,
 }
 
-impl Asked<'_> {
+impl LightSampler<'_> {
     /// Light at a position: `pick` chooses the light, `u` the point on it.
     pub fn draw(&self, position: DVec3, pick: f64, u: DVec2) -> LightSample {
         match self.sky {
@@ -46,14 +46,14 @@ impl Asked<'_> {
     }
 
     /// The density with which a light is drawn in a direction that was found to meet it; none if the triangle is no light.
-    pub fn light_pdf(&self, triangle: u32, raw: DVec3, direction: DVec3, distance: f64) -> Option<f64> {
+    pub fn light_pdf(&self, triangle: u32, area_normal: DVec3, direction: DVec3, distance: f64) -> Option<f64> {
         let lights = &self.lights.lights;
         let at = lights.binary_search_by_key(&triangle, |light| light.triangle).ok()?;
         let area_pdf = self.light_share * area_pdf(self.lights, &lights[at]);
-        Some(solid_angle_pdf(area_pdf, raw, direction, distance))
+        Some(solid_angle_pdf(area_pdf, area_normal, direction, distance))
     }
 
-    /// The density with which a direction that was found to meet the sky is drawn; none if that is not asked.
+    /// The density with which a direction that was found to meet the sky is drawn; none if that is not sampled.
     pub fn sky_pdf(&self, direction: DVec3) -> Option<f64> {
         self.sky.map(|sky| self.sky_share() * sky_arriving(sky, direction).1)
     }
@@ -75,9 +75,9 @@ fn draw_light(table: &LightTable, position: DVec3, pick: f64, u: DVec2) -> Light
     let offset = a + weights.x * (b - a) + weights.y * (c - a) - position;
     let distance = offset.length();
     let direction = offset / distance;
-    let raw = (b - a).cross(c - a);
-    let lit = light.sides() == 2 || raw.dot(direction) < 0.0;
-    let pdf = solid_angle_pdf(area_pdf(table, light), raw, direction, distance);
+    let area_normal = (b - a).cross(c - a);
+    let lit = light.sides() == 2 || area_normal.dot(direction) < 0.0;
+    let pdf = solid_angle_pdf(area_pdf(table, light), area_normal, direction, distance);
     LightSample {
         direction,
         pdf: if lit { pdf } else { 0.0 },
@@ -90,9 +90,9 @@ fn area_pdf(table: &LightTable, light: &LightRecord) -> f64 {
     f64::from(luminance(light.emission)) * f64::from(light.sides()) * f64::from(table.density)
 }
 
-/// The density by solid angle of a direction of unit length that meets a light of normal `raw`, of any length, at a distance.
-fn solid_angle_pdf(area_pdf: f64, raw: DVec3, direction: DVec3, distance: f64) -> f64 {
-    area_pdf * distance * distance / raw.normalize().dot(direction).abs().max(1e-12)
+/// The density by solid angle of a direction of unit length that meets a light of normal `area_normal`, of any length, at a distance.
+fn solid_angle_pdf(area_pdf: f64, area_normal: DVec3, direction: DVec3, distance: f64) -> f64 {
+    area_pdf * distance * distance / area_normal.normalize().dot(direction).abs().max(1e-12)
 }
 
 /// Weight of a direction drawn with density `own`, where another way draws it with density `other` (power heuristic of exponent

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3, Vec3Swizzles};
 
-use super::morton::Bounds;
+use super::bounds::{Bounds, padded_box};
 use crate::layout::ray::{FAR_GROWTH, INSET, LEAST_AREA, LEAST_PART, Ray, SLAB_GROWTH};
 
 /// How a device rounds WGSL's `fma()`, which may be either.
@@ -86,13 +86,6 @@ pub fn largest_axis(d: Vec3) -> usize {
     }
 }
 
-/// A triangle's box, grown by what its own coordinates ask for.
-pub fn padded_box(a: Vec3, b: Vec3, c: Vec3) -> Bounds {
-    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-    let growth = SLAB_GROWTH * high.max(-low).max_element();
-    Bounds { low: low - growth, high: high + growth }
-}
-
 /// `extent` is the greatest coordinate of the scene's box. The direction is not zero.
 pub fn prepare_query(fma: Fma, ray: &Ray, extent: f32) -> Query {
     let axis = largest_axis(ray.direction);
@@ -173,8 +166,8 @@ pub fn intersect_triangle(query: &Query, a: Vec3, b: Vec3, c: Vec3) -> Option<Tr
         return None;
     }
     let interval = slab_interval(query, padded_box(a, b, c));
-    let raw = triangle_normal(fma, a * query.unit, b * query.unit, c * query.unit);
-    if interval.x > interval.y || raw == Vec3::ZERO {
+    let area_normal = triangle_normal(fma, a * query.unit, b * query.unit, c * query.unit);
+    if interval.x > interval.y || area_normal == Vec3::ZERO {
         return None;
     }
     let scale = fma.reciprocal(det);
@@ -196,8 +189,8 @@ pub fn surface_point(a: Vec3, b: Vec3, c: Vec3, b1: f32, b2: f32) -> (Vec3, Vec3
 
 /// A point of a triangle moved away from the edges that are nearer than `margin`, to that distance.
 fn inset(point: Vec3, margin: f32, [a, b, c]: [Vec3; 3]) -> Vec3 {
-    let raw = (b - a).cross(c - a);
-    let up = (raw / raw.abs().max_element()).normalize();
+    let area_normal = (b - a).cross(c - a);
+    let up = (area_normal / area_normal.abs().max_element()).normalize();
     let push = |from: Vec3, to: Vec3| {
         let edge = to - from;
         let inwards = up.cross((edge / edge.abs().max_element()).normalize());

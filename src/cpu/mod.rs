@@ -1,6 +1,7 @@
 //! The twin of every pass on the CPU, by the same names; f64 where rounding would hide a mistake.
 
 pub mod alias;
+pub mod bounds;
 pub mod bsdf;
 pub mod connect;
 pub mod display;
@@ -9,6 +10,7 @@ pub mod intersect;
 pub mod lint;
 pub mod morton;
 pub mod path;
+pub mod pcg4d;
 pub mod rng;
 pub mod rng_sobol;
 pub mod sky;

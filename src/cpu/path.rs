@@ -4,8 +4,8 @@
 use glam::{DVec2, DVec3, UVec2};
 
 use super::bsdf::dielectric::Interface;
-use super::bsdf::{Facing, Reflection};
-use super::connect::{Asked, LightSample, power_heuristic};
+use super::bsdf::{Reflection, ShadingFrame};
+use super::connect::{LightSample, LightSampler, power_heuristic};
 use super::rng::{Source, sample_key};
 use super::sky::sky_arriving;
 use super::triangles::{HitF64, TriangleSet};
@@ -27,9 +27,9 @@ pub struct PathScene<'a> {
     pub roulette: bool,
     /// Of random numbers.
     pub sampler: Source,
-    /// The lights that are asked directly: integrator `Path`.
+    /// The lights that are sampled: integrator `Path`.
     pub lights: Option<LightTable>,
-    /// A picture of the sky, in place of the constant environment; asked as the lights are.
+    /// A picture of the sky, in place of the constant environment; sampled as the lights are.
     pub sky: Option<&'a SkyTable>,
 }
 
@@ -37,7 +37,7 @@ pub struct PathScene<'a> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Traced {
     pub radiance: DVec3,
-    /// Rays it took.
+    /// Rays that were traced for it.
     pub rays: u32,
 }
 
@@ -63,24 +63,25 @@ impl<'a> PathScene<'a> {
         let mut throughput = DVec3::ONE;
         let mut pdf = 0.0;
         let mut eta_scale = 1.0;
-        let asked = self.asked(params);
+        let sampler = self.light_sampler(params);
         let mut traced = Traced::default();
         for bounce in 0..params.max_depth {
             traced.rays += 1;
             // Hits are within 1e-15 of the scene's size, so this leaves out the surface the ray starts on, and it alone.
             let Some(hit) = self.triangles.closest(origin, direction, 1e-9) else {
                 let sky = self.sky.map_or(params.environment.as_dvec3(), |sky| sky_arriving(sky, direction).0);
-                let other = asked.as_ref().and_then(|asked| asked.sky_pdf(direction));
+                let other = sampler.as_ref().and_then(|sampler| sampler.sky_pdf(direction));
                 traced.radiance += throughput * sky * weight_of_finding(pdf, other);
                 break;
             };
             let material = &self.materials[hit.triangle.material as usize];
-            let facing = self.facing(&hit, -direction);
-            if !(facing.from_behind && material.flags & MATERIAL_ONE_SIDED != 0) {
+            let frame = self.frame(&hit, -direction);
+            if !(frame.back_face && material.flags & MATERIAL_ONE_SIDED != 0) {
                 let [a, b, c] = hit.triangle.corners;
-                let raw = (b - a).cross(c - a);
-                let pdf_of = |asked: &Asked| asked.light_pdf(hit.triangle.index, raw, direction, hit.t);
-                let weight = weight_of_finding(pdf, asked.as_ref().and_then(pdf_of));
+                let area_normal = (b - a).cross(c - a);
+                let pdf_of =
+                    |sampler: &LightSampler| sampler.light_pdf(hit.triangle.index, area_normal, direction, hit.t);
+                let weight = weight_of_finding(pdf, sampler.as_ref().and_then(pdf_of));
                 traced.radiance += throughput * material.emission.as_dvec3() * weight;
             }
             if bounce + 1 == params.max_depth {
@@ -91,7 +92,7 @@ impl<'a> PathScene<'a> {
             let [light, lobe, roulette, _] = self.sampler.sample_4d(key, first + SLOT_CHOICES).to_array();
             let point = self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT);
             let connection =
-                asked.as_ref().map(|asked| self.connect(asked, material, &facing, position, (light, point)));
+                sampler.as_ref().map(|sampler| self.connect(sampler, material, &frame, position, (light, point)));
             if let Some(light) = connection.filter(|connection| connection.light != DVec3::ZERO) {
                 traced.rays += 1;
                 if self.sees(position, &light.from) {
@@ -99,12 +100,12 @@ impl<'a> PathScene<'a> {
                 }
             }
             let u = self.sampler.sample_2d(key, first + SLOT_DIRECTION);
-            let drawn = Reflection::from(material).sample(&facing, lobe, u);
+            let drawn = Reflection::from(material).sample(&frame, lobe, u);
             if drawn.weight.max_element() <= 0.0 {
                 break;
             }
             throughput *= drawn.weight;
-            eta_scale /= squeeze(material, &facing, drawn.direction);
+            eta_scale /= eta_squared(material, &frame, drawn.direction);
             if self.roulette && bounce >= ROULETTE_BOUNCE {
                 let survival = (throughput.max_element() * eta_scale).min(1.0);
                 if roulette >= survival {
@@ -118,37 +119,37 @@ impl<'a> PathScene<'a> {
         traced
     }
 
-    fn facing(&self, hit: &HitF64, wo: DVec3) -> Facing {
+    fn frame(&self, hit: &HitF64, wo: DVec3) -> ShadingFrame {
         let [a, b, c] = hit.triangle.corners;
-        let raw = (b - a).cross(c - a).normalize();
-        let from_behind = raw.dot(wo) < 0.0;
-        let geometric = if from_behind { -raw } else { raw };
+        let area_normal = (b - a).cross(c - a).normalize();
+        let back_face = area_normal.dot(wo) < 0.0;
+        let geometric = if back_face { -area_normal } else { area_normal };
         let smooth = self.shading.get(hit.triangle.index as usize).and_then(|n| smooth_normal(n, hit.b));
         let shading =
             smooth.map_or(geometric, |n| bent_to_viewer(if n.dot(geometric) < 0.0 { -n } else { n }, geometric, wo));
-        Facing { wo, shading, geometric, from_behind }
+        ShadingFrame { wo, shading, geometric, back_face }
     }
 
-    /// What is asked for light, if anything is.
-    fn asked(&self, params: &TraceParams) -> Option<Asked<'_>> {
+    /// What light is sampled from, if from anything.
+    fn light_sampler(&self, params: &TraceParams) -> Option<LightSampler<'_>> {
         let lights = self.lights.as_ref()?;
         let sky = self.sky.filter(|sky| sky.power > 0.0);
         let any = sky.is_some() || !lights.lights.is_empty();
-        any.then(|| Asked { lights, sky, light_share: f64::from(params.light_share) })
+        any.then(|| LightSampler { lights, sky, light_share: f64::from(params.light_share) })
     }
 
-    /// A light that is asked directly, and what it adds for a throughput of 1 if nothing is in the way.
+    /// A light that is sampled, and what it adds for a throughput of 1 if nothing is in the way.
     fn connect(
         &self,
-        asked: &Asked,
+        sampler: &LightSampler,
         material: &MaterialRecord,
-        facing: &Facing,
+        frame: &ShadingFrame,
         position: DVec3,
         (pick, point): (f64, DVec2),
     ) -> Connection {
-        let from = asked.draw(position, pick, point);
-        let above = from.direction.dot(facing.shading) > 0.0 && from.direction.dot(facing.geometric) > 0.0;
-        let at = Reflection::from(material).evaluate(facing, from.direction);
+        let from = sampler.draw(position, pick, point);
+        let above = from.direction.dot(frame.shading) > 0.0 && from.direction.dot(frame.geometric) > 0.0;
+        let at = Reflection::from(material).evaluate(frame, from.direction);
         let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
         let share = if counts { power_heuristic(from.pdf, at.pdf) / from.pdf } else { 0.0 };
         Connection { from, light: at.value * from.radiance * share }
@@ -161,19 +162,19 @@ impl<'a> PathScene<'a> {
     }
 }
 
-/// What light counts for that was hit along a direction of such a pdf, where asking for it has another, if any: asking
+/// What light counts for that was hit along a direction of such a pdf, where light sampling has another, if any: that
 /// counts for the rest.
-fn weight_of_finding(pdf: f64, asking: Option<f64>) -> f64 {
-    asking.filter(|_| pdf > 0.0).map_or(1.0, |asking| power_heuristic(pdf, asking))
+fn weight_of_finding(pdf: f64, sampling: Option<f64>) -> f64 {
+    sampling.filter(|_| pdf > 0.0).map_or(1.0, |sampling| power_heuristic(pdf, sampling))
 }
 
 /// What refraction multiplies radiance by in a direction, 1 where there is none.
-fn squeeze(material: &MaterialRecord, facing: &Facing, direction: DVec3) -> f64 {
-    let crosses = material.flags & MATERIAL_DIELECTRIC != 0 && direction.dot(facing.geometric) < 0.0;
-    if crosses { Interface::new(f64::from(material.ni), facing.from_behind).squeeze() } else { 1.0 }
+fn eta_squared(material: &MaterialRecord, frame: &ShadingFrame, direction: DVec3) -> f64 {
+    let crosses = material.flags & MATERIAL_DIELECTRIC != 0 && direction.dot(frame.geometric) < 0.0;
+    if crosses { Interface::new(f64::from(material.ni), frame.back_face).eta_squared() } else { 1.0 }
 }
 
-/// A look at a light.
+/// A sampled light.
 struct Connection {
     from: LightSample,
     light: DVec3,

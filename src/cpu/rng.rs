@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec4, UVec4};
 
+use super::pcg4d::pcg4d;
 use super::rng_sobol::sobol_quad;
 use crate::layout::trace::SampleKey;
 
@@ -11,7 +12,7 @@ pub enum Source {
     /// Independent numbers.
     #[default]
     Pcg,
-    /// Owen-scrambled sequences, stratified over the indices.
+    /// Owen-scrambled (0, 4)-sequences in base 4, stratified over the indices: of the quality of Sobol's, not his own.
     Sobol,
 }
 
@@ -43,22 +44,6 @@ impl Source {
         };
         DVec4::from_array(words.map(unit))
     }
-}
-
-/// PCG4D of Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
-pub fn pcg4d(key: UVec4) -> UVec4 {
-    let mut v = key.to_array().map(|w| w.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
-    stir(&mut v);
-    v = v.map(|w| w ^ (w >> 16));
-    stir(&mut v);
-    UVec4::from_array(v)
-}
-
-fn stir(v: &mut [u32; 4]) {
-    v[0] = v[0].wrapping_add(v[1].wrapping_mul(v[3]));
-    v[1] = v[1].wrapping_add(v[2].wrapping_mul(v[0]));
-    v[2] = v[2].wrapping_add(v[0].wrapping_mul(v[1]));
-    v[3] = v[3].wrapping_add(v[1].wrapping_mul(v[2]));
 }
 
 /// The key of a film sample: even ones belong to half 0, odd ones to half 1.

@@ -3,7 +3,7 @@
 
 use glam::UVec4;
 
-use super::rng::pcg4d;
+use super::pcg4d::pcg4d;
 use crate::layout::trace::SampleKey;
 
 /// Sets these hashes off from those that the PCG sampler makes of equal keys.

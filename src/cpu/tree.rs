@@ -1,11 +1,12 @@
 //! Twins of `leaves`, `pyramid` and `nodes`.
 //!
 //! The tree is the same as the GPU's, found another way: ranges are split from the root down and boxes are joined from
-//! the leaves up, where the GPU searches each node's range by itself and asks the pyramid.
+//! the leaves up, where the GPU searches each node's range by itself and queries the pyramid.
 
 use glam::Vec4;
 
-use super::morton::{self, Bounds};
+use super::bounds::Bounds;
+use super::morton;
 use crate::layout::tree::{LEAF_BIT, LeafBox, NO_ROOT, Node, Triangle, node_count};
 
 /// A tree, and the triangles of its leaves in leaf order.

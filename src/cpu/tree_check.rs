@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::morton::Bounds;
+use super::bounds::Bounds;
 use super::tree::child_boxes;
 use crate::layout::tree::{LEAF_BIT, NO_ROOT, Node, Triangle, root};
 

@@ -24,20 +24,21 @@ pub struct ViewScene<'a> {
 }
 
 /// The camera's ray through the middle of a pixel of the window.
-pub fn middle_ray(shot: &TraceParams, pixel: UVec2) -> Ray {
-    let at = UVec2::new(shot.window_x, shot.window_y).as_vec2() + pixel.as_vec2() + 0.5;
-    let film = UVec2::new(shot.film_width, shot.film_height).as_vec2();
+pub fn middle_ray(trace_params: &TraceParams, pixel: UVec2) -> Ray {
+    let at = UVec2::new(trace_params.window_x, trace_params.window_y).as_vec2() + pixel.as_vec2() + 0.5;
+    let film = UVec2::new(trace_params.film_width, trace_params.film_height).as_vec2();
     let (x, y) = (2.0 * at.x / film.x - 1.0, 1.0 - 2.0 * at.y / film.y);
-    let direction: Vec3 = (shot.forward + x * shot.right + y * shot.up).normalize();
-    Ray { origin: shot.position, t_min: 0.0, direction, t_max: T_FAR }
+    let direction: Vec3 = (trace_params.forward + x * trace_params.right + y * trace_params.up).normalize();
+    Ray { origin: trace_params.position, t_min: 0.0, direction, t_max: T_FAR }
 }
 
 impl ViewScene<'_> {
     /// A picture word a pixel: r in the lowest byte, a = 255 in the highest.
     pub fn view(&self, params: &ViewParams) -> Vec<u32> {
-        let shot = &params.shot;
-        let pixels = (0..shot.window_height).flat_map(|y| (0..shot.window_width).map(move |x| UVec2::new(x, y)));
-        pixels.map(|pixel| self.seen(params, &middle_ray(shot, pixel))).collect()
+        let trace_params = &params.trace_params;
+        let pixels =
+            (0..trace_params.window_height).flat_map(|y| (0..trace_params.window_width).map(move |x| UVec2::new(x, y)));
+        pixels.map(|pixel| self.seen(params, &middle_ray(trace_params, pixel))).collect()
     }
 
     fn seen(&self, params: &ViewParams, ray: &Ray) -> u32 {
@@ -60,8 +61,8 @@ impl ViewScene<'_> {
     }
 
     fn normal(&self, triangle: &Triangle, hit: &Hit, direction: Vec3) -> DVec3 {
-        let raw = triangle_normal(self.fma, triangle.a, triangle.b, triangle.c).as_dvec3().normalize_or_zero();
-        let geometric = if raw.dot(direction.as_dvec3()) > 0.0 { -raw } else { raw };
+        let area_normal = triangle_normal(self.fma, triangle.a, triangle.b, triangle.c).as_dvec3().normalize_or_zero();
+        let geometric = if area_normal.dot(direction.as_dvec3()) > 0.0 { -area_normal } else { area_normal };
         let corners = self.shading.get(triangle.index as usize);
         let smooth = corners.and_then(|corners| smooth_normal(corners, [f64::from(hit.b1), f64::from(hit.b2)]));
         smooth.map_or(geometric, |n| if n.dot(geometric) < 0.0 { -n } else { n })

@@ -4,7 +4,8 @@ use crate::layout::alias::AliasColumn;
 use crate::layout::film::FilmPixel;
 use crate::layout::light::LightRecord;
 use crate::layout::trace::{MaterialRecord, RadianceSample, Shading};
-use crate::layout::tree::{LeafBox, Node, Triangle};
+use crate::layout::tree::Triangle;
+use crate::passes::tree::PLAN;
 
 /// What a buffer has an element for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,18 +28,20 @@ fn growth(name: &str) -> Option<(Grows, usize)> {
         "film" => (Grows::Film, size_of::<FilmPixel>()),
         "radiance" => (Grows::Film, size_of::<RadianceSample>()),
         "picture" => (Grows::Film, 4),
-        "triangles" | "leaves" => (Grows::Triangles, size_of::<Triangle>()),
-        "nodes" => (Grows::Triangles, size_of::<Node>()),
-        // Of runs of 1, 2, 4, .. leaves.
-        "boxes" => (Grows::Triangles, 2 * size_of::<LeafBox>()),
+        "triangles" => (Grows::Triangles, size_of::<Triangle>()),
         "shading" => (Grows::Triangles, size_of::<Shading>()),
-        "keys" | "keys_back" => (Grows::Triangles, 8),
-        "payload" | "payload_back" => (Grows::Triangles, 4),
         "lights" => (Grows::Lights, size_of::<LightRecord>()),
         "materials" => (Grows::Materials, size_of::<MaterialRecord>()),
         "rays" | "hits" | "occlusion" => (Grows::Rays, size_of::<crate::layout::ray::Ray>()),
-        _ => return None,
+        _ => (Grows::Triangles, tree_growth(name)?),
     })
+}
+
+/// Bytes of a buffer of the tree for each triangle; none where that is less than one.
+fn tree_growth(name: &str) -> Option<usize> {
+    const MANY: u32 = 1 << 20;
+    let bytes = (PLAN.bytes(name, 2 * MANY) - PLAN.bytes(name, MANY)) / u64::from(MANY);
+    (bytes > 0).then_some(bytes as usize)
 }
 
 /// What to do where a buffer is larger than `limit` bytes.

@@ -2,7 +2,7 @@
 
 use glam::UVec2;
 
-use super::AtomicWord;
+use super::types::AtomicWord;
 
 gpu_struct! {
     /// Half of a pixel: the samples of one scramble.

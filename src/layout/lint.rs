@@ -1,4 +1,4 @@
-//! What a surface is asked about itself, and what it answers.
+//! What the linter evaluates of a surface, and the results.
 
 use glam::Vec3;
 
@@ -16,10 +16,10 @@ gpu_struct! {
         pub pad1: u32,
     }
 
-    /// One draw, or one direction that was asked about.
+    /// One draw, or one given direction.
     pub struct LintAnswer {
         pub direction: Vec3,
-        /// What `mixture_sample` says of it; 0 where it was asked about.
+        /// What `mixture_sample` says of it; 0 of a given direction.
         pub pdf: f32,
         /// The same of the weight.
         pub weight: Vec3,
@@ -37,7 +37,7 @@ gpu_struct! {
         /// Answers of each case.
         pub per_case: u32,
         pub seed: u32,
-        /// 1: directions are drawn; 0: they are those in `lint_asked`.
+        /// 1: directions are drawn; 0: they are those in `lint_directions`.
         pub draw: u32,
     }
 }

@@ -17,7 +17,7 @@ gpu_struct! {
         pub emission: Vec3,
         /// Probability of sampling the specular lobe instead of the diffuse one: the luminance of `ks` against that of
         /// `kd` + `ks`. 0 to 1.
-        pub glossy: f32,
+        pub specular_probability: f32,
         /// What a crossing of the surface multiplies radiance by, linear Rec.709, each channel 0 to 1.
         pub tf: Vec3,
         /// Index of refraction behind the surface, against 1 before it; at least 1.
@@ -115,7 +115,7 @@ gpu_struct! {
         pub largest: f32,
         /// Number of emitting triangles.
         pub lights: u32,
-        /// Probability of asking one of them, and not the sky.
+        /// Probability of sampling one of them, and not the sky.
         pub light_share: f32,
         /// Density by area with which a point of a light of unit luminance and one side is drawn.
         pub light_density: f32,
@@ -271,7 +271,7 @@ impl MaterialRecord {
         if specular <= 0.0 {
             return Self { ns: values.ns.clamp(0.0, 1e5), ..self };
         }
-        self.glossy = specular / (diffuse + specular);
+        self.specular_probability = specular / (diffuse + specular);
         match values.roughness.map(|roughness| roughness * roughness) {
             Some(alpha) if alpha >= SMOOTHEST_ALPHA => {
                 self.alpha = alpha.min(1.0);
@@ -286,7 +286,7 @@ impl MaterialRecord {
 
     /// Whether the specular lobe is Phong's.
     pub fn has_phong(&self) -> bool {
-        self.glossy > 0.0 && self.flags & (MATERIAL_GGX | MATERIAL_MIRROR) == 0
+        self.specular_probability > 0.0 && self.flags & (MATERIAL_GGX | MATERIAL_MIRROR) == 0
     }
 }
 

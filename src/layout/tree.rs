@@ -117,7 +117,7 @@ pub fn node_count(count: u32) -> u32 {
     count.saturating_sub(1)
 }
 
-/// Triangles that [`core_radius`] looks at, at most.
+/// Triangles that [`core_radius`] samples, at most.
 const SAMPLED: u32 = 4096;
 
 /// One in so many triangles lies within what [`core_radius`] takes for the size of the scene.
@@ -127,7 +127,7 @@ const INNERMOST: usize = 256;
 ///
 /// It is 256 times the distance, by the greatest coordinate, within which one of 256 triangles has its centre: more than
 /// any scene has that fills its box, of volumes, surfaces or a line. So cells are the box's there; but where a few things, or a sky's
-/// dome, are a million times farther than all else, that is not all in one cell. `centre_of` is asked for some 4096 of the triangles,
+/// dome, are a million times farther than all else, that is not all in one cell. `centre_of` is called for some 4096 of the triangles,
 /// spread evenly over `count`.
 pub fn core_radius(count: u32, centre_of: impl FnMut(u32) -> Vec3) -> f32 {
     let samples = count.min(SAMPLED);

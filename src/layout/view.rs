@@ -21,7 +21,7 @@ gpu_struct! {
     /// Parameters of the pass `view`.
     pub struct ViewParams {
         /// Camera, window and root; the rest is not used.
-        pub shot: TraceParams,
+        pub trace_params: TraceParams,
         /// A `VIEW_` number.
         pub mode: u32,
         /// Depth that is shown as 1/2, scene units; above 0.

@@ -1,4 +1,4 @@
-//! What the shader that draws the picture to a window is told.
+//! Parameters of the shader that draws the picture to a window.
 
 use glam::{UVec2, Vec2};
 

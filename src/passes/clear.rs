@@ -1,6 +1,6 @@
 //! Sets words of a buffer to one value, within the order of the dispatches around it.
 
-use super::{Binding, Makes, Pass, Recording, Size};
+use super::{Binding, Makes, Pass, Recording, Size, Twin};
 use crate::layout::clear::ClearParams;
 
 /// Writes one value to the first `count` words.
@@ -9,7 +9,8 @@ pub static CLEAR: Pass = Pass {
     module: "passes/clear",
     entry: "clear",
     bindings: &[Binding::params("ClearParams"), Binding::write("words", "array<u32>")],
-    makes: Makes::Film,
+    makes: &[Makes::Tree, Makes::Film],
+    twin: Twin::None("one value in every word needs no second opinion"),
 };
 
 /// Records that the first `words` words of `buffer` become `value`.

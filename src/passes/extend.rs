@@ -1,8 +1,9 @@
 //! Ray queries as passes of their own: rays in, hits out.
 
-use super::{Binding, Makes, Pass, Recording, Size};
+use super::tree::PLAN;
+use super::twin::twin;
+use super::{Binding, Pass, Recording, Size};
 use crate::layout::ray::{ExtendParams, Hit, Ray};
-use crate::layout::tree;
 
 /// The closest hit of every ray.
 pub static EXTEND: Pass = Pass {
@@ -16,7 +17,8 @@ pub static EXTEND: Pass = Pass {
         Binding::read("rays", "array<Ray>"),
         Binding::write("hits", "array<Hit>"),
     ],
-    makes: Makes::Answers,
+    makes: &[],
+    twin: twin!(traverse::closest_hit),
 };
 
 /// Whether anything lies between the ends of every ray: 1 or 0.
@@ -31,7 +33,8 @@ pub static OCCLUDED: Pass = Pass {
         Binding::read("rays", "array<Ray>"),
         Binding::write("occlusion", "array<u32>"),
     ],
-    makes: Makes::Answers,
+    makes: &[],
+    twin: twin!(traverse::any_hit),
 };
 
 /// Buffers for so many rays, both passes' results included.
@@ -42,12 +45,12 @@ pub fn buffers(rays: u32) -> Vec<(&'static str, u64)> {
 
 /// Records the closest hits of the first `rays` rays in a tree over `triangles` triangles.
 pub fn record(recording: &mut Recording, rays: u32, triangles: u32) {
-    let params = ExtendParams { count: rays, root: tree::root(triangles) };
+    let params = ExtendParams { count: rays, root: (PLAN.root)(triangles) };
     recording.run(&EXTEND, Size::Items(u64::from(rays))).params(&params);
 }
 
 /// Records whether the first `rays` rays hit anything in a tree over `triangles` triangles.
 pub fn record_occluded(recording: &mut Recording, rays: u32, triangles: u32) {
-    let params = ExtendParams { count: rays, root: tree::root(triangles) };
+    let params = ExtendParams { count: rays, root: (PLAN.root)(triangles) };
     recording.run(&OCCLUDED, Size::Items(u64::from(rays))).params(&params);
 }

@@ -1,6 +1,7 @@
 //! The film: samples added to 64-bit fixed point, and the film as a picture.
 
 use super::recording::CallBuilder;
+use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size, clear};
 use crate::layout::film::{AccumulateParams, DisplayParams, FilmCounters, FilmPixel};
 use crate::layout::trace::TraceParams;
@@ -16,7 +17,8 @@ pub static ACCUMULATE: Pass = Pass {
         Binding::write("film", "array<FilmPixel>"),
         Binding::write("counters", "FilmCounters"),
     ],
-    makes: Makes::Film,
+    makes: &[Makes::Film],
+    twin: twin!(film::accumulate),
 };
 
 /// The mean of both halves, exposed, as sRGB in `picture`: r in the lowest byte, a = 255 in the highest.
@@ -29,7 +31,8 @@ pub static DISPLAY: Pass = Pass {
         Binding::read("film", "array<FilmPixel>"),
         Binding::write("picture", "array<u32>"),
     ],
-    makes: Makes::Picture,
+    makes: &[Makes::Picture],
+    twin: twin!(display::display),
 };
 
 /// Buffers of the film for a window of so many pixels.
@@ -55,7 +58,7 @@ pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponen
     recording.run(&ACCUMULATE, Size::Items(pixels)).params(&accumulate_params(trace, exponent, first_pixel));
 }
 
-/// What the accumulate pass is told after a trace with `trace`.
+/// Parameters of the accumulate pass after a trace with `trace`.
 pub fn accumulate_params(trace: &TraceParams, exponent: i32, first_pixel: u32) -> AccumulateParams {
     AccumulateParams {
         film_width: trace.film_width,
@@ -75,7 +78,7 @@ pub fn record_display(recording: &mut Recording, pixels: u32, exponent: i32, exp
     recording.run(&DISPLAY, Size::Items(u64::from(pixels))).params(&display_params(pixels, exponent, exposure))
 }
 
-/// What the display pass is told.
+/// Parameters of the display pass.
 pub fn display_params(pixels: u32, exponent: i32, exposure: f32) -> DisplayParams {
     let scale = 2f64.powf(f64::from(exposure) - f64::from(exponent));
     DisplayParams { pixels, scale: (scale as f32).clamp(f32::MIN_POSITIVE, f32::MAX) }

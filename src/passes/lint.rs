@@ -1,6 +1,7 @@
-//! A surface's code, asked about itself: what it draws, and what it says of given directions.
+//! A surface's code, evaluated for the linter: what it draws, and what it returns for given directions.
 
-use super::{Binding, Makes, Pass, Recording, Size};
+use super::twin::twin;
+use super::{Binding, Pass, Recording, Size};
 use crate::layout::lint::{LintAnswer, LintParams};
 
 /// `mixture_sample` and `mixture_evaluate` of the scene's own features.
@@ -11,16 +12,17 @@ pub static LINT: Pass = Pass {
     bindings: &[
         Binding::params("LintParams"),
         Binding::read("lint_cases", "array<LintCase>"),
-        Binding::read("lint_asked", "array<vec4<f32>>"),
+        Binding::read("lint_directions", "array<vec4<f32>>"),
         Binding::write("lint_answers", "array<LintAnswer>"),
     ],
-    makes: Makes::Answers,
+    makes: &[],
+    twin: twin!(bsdf::Reflection::evaluate),
 };
 
 /// Buffers for so many answers, beside `lint_cases`.
 pub fn buffers(answers: u32) -> Vec<(&'static str, u64)> {
     let answers = u64::from(answers.max(1));
-    vec![("lint_asked", answers * 16), ("lint_answers", answers * size_of::<LintAnswer>() as u64)]
+    vec![("lint_directions", answers * 16), ("lint_answers", answers * size_of::<LintAnswer>() as u64)]
 }
 
 /// Records as many answers as `params` says.

@@ -3,7 +3,6 @@
 //! A pass is one row: a name, a WGSL entry point and its bindings by name. A stage's file holds its rows, the buffers they
 //! need, and the functions that record them. [`table::TABLE`] lists every row.
 
-pub mod build;
 mod clear;
 pub mod extend;
 pub mod film;
@@ -13,8 +12,11 @@ mod recording;
 pub mod sort;
 pub mod table;
 pub mod trace;
+pub mod tree;
+mod twin;
 pub mod view;
 
 pub use clear::{CLEAR, clear};
 pub use pass::{Access, Binding, Makes, Pass};
 pub use recording::{Call, Recording, Size};
+pub use twin::Twin;

@@ -1,5 +1,7 @@
 //! One row of the pass table.
 
+use super::Twin;
+
 /// A compute pass: what runs, and on which buffers.
 ///
 /// The row is checked against naga's reflection of the linked module: the names, access and types of the bindings that the
@@ -14,8 +16,10 @@ pub struct Pass {
     pub entry: &'static str,
     /// In the order of the WGSL, all in group 0.
     pub bindings: &'static [Binding],
-    /// What is to be made anew when the pass's code changes.
-    pub makes: Makes,
+    /// What is to be made anew when the pass's code changes: all that it is recorded for.
+    pub makes: &'static [Makes],
+    /// What its results are held against.
+    pub twin: Twin,
 }
 
 /// What a pass has a part in: a film is traced through the tree, and a picture shows the film, but each is still good where
@@ -28,8 +32,6 @@ pub enum Makes {
     Film,
     /// The film as it is shown.
     Picture,
-    /// Nothing that an engine keeps.
-    Answers,
 }
 
 /// One binding of a pass, by its name in the WGSL.

@@ -8,6 +8,7 @@
 
 use std::mem::{offset_of, size_of};
 
+use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::sort::{SORT_BINS, SORT_DIGITS, SORT_FEW_TILES, SortDigit, SortParams, SortPlan, tiles};
 
@@ -26,7 +27,8 @@ pub static SORT_AGREE: Pass = Pass {
         Binding::read("keys", KEYS),
         Binding::write("sort_agreements", "array<vec4<u32>>"),
     ],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(sort::agree),
 };
 
 /// Decides which digits run, and from where to where.
@@ -39,7 +41,8 @@ pub static SORT_PLAN: Pass = Pass {
         Binding::read("sort_agreements", "array<vec4<u32>>"),
         Binding::write("sort_plan", "SortPlan"),
     ],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(sort::plan),
 };
 
 /// Histogram of a digit over each tile.
@@ -55,7 +58,8 @@ pub static SORT_COUNT: Pass = Pass {
         Binding::write("sort_counts", WORDS),
         CENSUS,
     ],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(sort::count),
 };
 
 /// Sums a digit's histograms over the tiles before each.
@@ -69,7 +73,8 @@ pub static SORT_SCAN: Pass = Pass {
         Binding::write("sort_totals", WORDS),
         CENSUS,
     ],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(sort::scan),
 };
 
 /// The same, for at most [`SORT_FEW_TILES`] tiles.
@@ -91,7 +96,8 @@ pub static SORT_SCATTER: Pass = Pass {
         Binding::write("payload_back", WORDS),
         CENSUS,
     ],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(sort::scatter),
 };
 
 /// Makes pairs of random 63-bit keys and their indices, for benchmarks.
@@ -100,7 +106,8 @@ pub static SORT_FILL: Pass = Pass {
     module: "passes/sort/fill",
     entry: "fill",
     bindings: &[Binding::params("SortParams"), Binding::write("keys", KEYS), Binding::write("payload", WORDS)],
-    makes: Makes::Tree,
+    makes: &[],
+    twin: twin!(sort::random_key),
 };
 
 /// Buffers of a sort of `count` pairs, with their bytes.

@@ -1,27 +1,47 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, build, extend, film, lint, sort, trace, view};
+use super::{CLEAR, Pass, extend, film, lint, sort, trace, tree, view};
 
 /// Every pass the engine can run.
-pub static TABLE: &[&Pass] = &[
-    &CLEAR,
-    &sort::SORT_AGREE,
-    &sort::SORT_PLAN,
-    &sort::SORT_COUNT,
-    &sort::SORT_SCAN,
-    &sort::SORT_SCAN_FEW,
-    &sort::SORT_SCATTER,
-    &sort::SORT_FILL,
-    &build::BOUNDS,
-    &build::MORTON,
-    &build::LEAVES,
-    &build::PYRAMID,
-    &build::NODES,
-    &extend::EXTEND,
-    &extend::OCCLUDED,
-    &trace::PATH,
-    &film::ACCUMULATE,
-    &film::DISPLAY,
-    &view::VIEW,
-    &lint::LINT,
+pub static TABLE: &[&Pass] = &joined::<{ count(STAGES) }>(STAGES);
+
+const STAGES: &[&[&Pass]] = &[
+    &[
+        &CLEAR,
+        &sort::SORT_AGREE,
+        &sort::SORT_PLAN,
+        &sort::SORT_COUNT,
+        &sort::SORT_SCAN,
+        &sort::SORT_SCAN_FEW,
+        &sort::SORT_SCATTER,
+        &sort::SORT_FILL,
+    ],
+    tree::PASSES,
+    &[&extend::EXTEND, &extend::OCCLUDED, &trace::PATH, &film::ACCUMULATE, &film::DISPLAY, &view::VIEW, &lint::LINT],
 ];
+
+/// Passes of all stages.
+const fn count(stages: &[&[&Pass]]) -> usize {
+    let (mut sum, mut stage) = (0, 0);
+    while stage < stages.len() {
+        sum += stages[stage].len();
+        stage += 1;
+    }
+    sum
+}
+
+/// The passes of all stages, of which there are `N`, in order.
+const fn joined<const N: usize>(stages: &[&[&'static Pass]]) -> [&'static Pass; N] {
+    let mut passes = [&CLEAR; N];
+    let (mut filled, mut stage) = (0, 0);
+    while stage < stages.len() {
+        let mut i = 0;
+        while i < stages[stage].len() {
+            passes[filled] = stages[stage][i];
+            filled += 1;
+            i += 1;
+        }
+        stage += 1;
+    }
+    passes
+}

@@ -2,13 +2,14 @@
 
 use glam::{DVec3, UVec2, Vec3};
 
+use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::film::largest_sample;
 use crate::layout::trace::{
     MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MaterialRecord, RadianceSample, TraceParams,
 };
 
-/// Integrators `Path` and `Bsdf`: with and without asking lights directly.
+/// Integrators `Path` and `Bsdf`: with and without light sampling.
 pub static PATH: Pass = Pass {
     name: "path",
     module: "passes/trace/path",
@@ -24,7 +25,8 @@ pub static PATH: Pass = Pass {
         Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
         Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
     ],
-    makes: Makes::Film,
+    makes: &[Makes::Film],
+    twin: twin!(path::PathScene::sample),
 };
 
 /// Where a camera is and looks. World space, scene units.
@@ -48,7 +50,7 @@ pub fn record(recording: &mut Recording, params: &TraceParams) {
     recording.run(&PATH, size).params(params);
 }
 
-/// What a scene and its settings ask of the kernel.
+/// What a scene and its settings need of the kernel.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Needs<'a> {
     pub materials: &'a [MaterialRecord],
@@ -56,9 +58,9 @@ pub struct Needs<'a> {
     pub environment: Vec3,
     /// The environment is a picture.
     pub sky: bool,
-    /// It is asked directly.
+    /// It is sampled.
     pub sky_light: bool,
-    /// Emitting triangles are asked directly.
+    /// Emitting triangles are sampled.
     pub lights: bool,
     /// Some mesh has normals of its own.
     pub normals: bool,
@@ -74,26 +76,26 @@ impl Needs<'_> {
         let any = |test: fn(&MaterialRecord) -> bool| self.materials.iter().any(test);
         let flagged = |flag: u32| self.materials.iter().any(|m| m.flags & flag != 0);
         let wanted = [
+            ("alpha", any(|m| m.transparency > 0.0)),
             ("dielectric", flagged(MATERIAL_DIELECTRIC)),
             ("emitters", any(|m| m.emission.max_element() > 0.0)),
             ("environment", self.environment.max_element() > 0.0),
             ("ggx", flagged(MATERIAL_GGX)),
-            ("glossy", any(MaterialRecord::has_phong)),
             ("lights", self.lights),
             ("mirror", flagged(MATERIAL_MIRROR)),
             ("normals", self.normals),
+            ("phong", any(MaterialRecord::has_phong)),
             ("roulette", self.roulette),
             // The two exclude each other.
             ("sky", self.sky && !self.sky_light),
             ("sky_light", self.sky_light),
             ("sobol", self.sobol),
-            ("thin", any(|m| m.transparency > 0.0)),
         ];
         wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }
 }
 
-/// How light is asked for directly: what the kernel is told of its tables.
+/// What light is sampled from: what the kernel needs to know of its tables.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lighting {
     /// Number of emitting triangles.
@@ -134,7 +136,7 @@ impl TraceParams {
         (self.window_width, self.window_height) = (max.x - min.x, max.y - min.y);
     }
 
-    /// The lights, in a scene whose box is `radius` from its middle to a corner. Lights and sky are asked by the power that
+    /// The lights, in a scene whose box is `radius` from its middle to a corner. Lights and sky are sampled by the power that
     /// each sends into the scene, but none more than nine times as often.
     pub fn light(&mut self, lighting: &Lighting, radius: f64) {
         let has_lights = lighting.lights > 0;

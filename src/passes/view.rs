@@ -1,5 +1,6 @@
 //! What is seen first through the middle of every pixel, as a picture: in place of the film's.
 
+use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::view::ViewParams;
 
@@ -16,11 +17,13 @@ pub static VIEW: Pass = Pass {
         Binding::write("picture", "array<u32>"),
         Binding::read("shading", "array<Shading>").when(&["normals"]),
     ],
-    makes: Makes::Picture,
+    makes: &[Makes::Picture],
+    twin: twin!(view::ViewScene::view),
 };
 
-/// Records the picture of the shot's window.
+/// Records the picture of its window.
 pub fn record(recording: &mut Recording, params: &ViewParams) {
-    let size = Size::Pixels { width: params.shot.window_width, height: params.shot.window_height, layers: 1 };
+    let size =
+        Size::Pixels { width: params.trace_params.window_width, height: params.trace_params.window_height, layers: 1 };
     recording.run(&VIEW, size).params(params);
 }

@@ -11,7 +11,7 @@ use crate::layout::StructLayout;
 use super::error::{ErrorKind, ShaderError};
 use super::generated::{FILE, Generated};
 use super::library::Library;
-use super::link::SourceMap;
+use super::source_map::SourceMap;
 use super::{Features, depth, message, seek, site};
 
 /// Makes naga's module of a joined text: valid, of the layout that Rust has, and without what no entry point uses.

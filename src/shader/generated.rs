@@ -1,9 +1,9 @@
-//! The virtual module `package::gen`: the structs and constants that Rust and WGSL share.
+//! The virtual module `package::gen`: the structs and constants that Rust and WGSL share, and functions that unpack such structs.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::layout::{self, GpuConst, StructLayout};
+use crate::layout::{self, GpuConst, StructLayout, Vectors};
 
 use super::error::Source;
 
@@ -15,12 +15,17 @@ pub const FILE: &str = "<generated layout>";
 pub struct Shared {
     structs: Vec<&'static StructLayout>,
     consts: Vec<&'static GpuConst>,
+    vectors: Vec<Vectors>,
 }
 
 impl Shared {
     /// Everything that [`layout`] registers.
     pub fn registered() -> Self {
-        Shared { structs: layout::ALL.to_vec(), consts: layout::CONSTS.iter().copied().flatten().collect() }
+        Shared {
+            structs: layout::ALL.to_vec(),
+            consts: layout::CONSTS.iter().copied().flatten().collect(),
+            vectors: layout::VECTORS.to_vec(),
+        }
     }
 
     pub fn add(&mut self, structs: &[&'static StructLayout], consts: &'static [GpuConst]) {
@@ -28,12 +33,18 @@ impl Shared {
         self.consts.extend(consts);
     }
 
+    pub fn add_vectors(&mut self, vectors: &[Vectors]) {
+        self.vectors.extend(vectors);
+    }
+
     pub fn is_struct(&self, name: &str) -> bool {
         self.structs.iter().any(|known| known.name == name)
     }
 
     pub fn knows(&self, name: &str) -> bool {
-        self.structs.iter().any(|known| known.name == name) || self.consts.iter().any(|known| known.name == name)
+        self.is_struct(name)
+            || self.consts.iter().any(|known| known.name == name)
+            || self.vectors.iter().any(|vectors| vectors.declarations().any(|(known, ..)| known == name))
     }
 
     /// The module that declares some names and what they depend on.
@@ -45,8 +56,18 @@ impl Shared {
         for layout in self.structs.iter().filter(|layout| names.contains(layout.name)) {
             declare(layout, &mut text, &mut structs);
         }
+        let mut unpacking = Vec::new();
+        for vectors in &self.vectors {
+            for (name, wgsl, of_struct) in vectors.declarations().filter(|(name, ..)| names.contains(name.as_str())) {
+                if of_struct {
+                    declare(vectors.layout, &mut text, &mut structs);
+                }
+                text.push_str(&wgsl);
+                unpacking.push(name);
+            }
+        }
         let names = structs.iter().map(|layout| layout.name).chain(consts().map(|constant| constant.name));
-        let names = names.map(str::to_owned).collect();
+        let names = names.map(str::to_owned).chain(unpacking).collect();
         Generated { source: Arc::new(Source { file: FILE.to_owned(), text }), structs, names }
     }
 }

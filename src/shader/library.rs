@@ -7,21 +7,16 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::files;
-use crate::layout::{GpuConst, StructLayout};
+use crate::layout::{GpuConst, StructLayout, Vectors};
 
 use super::Features;
 use super::error::{ErrorKind, ShaderError, Source};
 use super::generated::Shared;
-use super::link::{self, Linked};
 use super::module::{self, Module};
 use super::names;
-use super::stack::on_large_stack;
 
 /// Every file of shaders/: (module, text).
 static EMBEDDED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
-
-/// Features of a module up to which every set of them is listed.
-const MOST_NAMED: usize = 5;
 
 /// Bytes that a file of shaders may have.
 const LIMIT: u64 = 16 << 20;
@@ -108,6 +103,12 @@ impl Library {
         self
     }
 
+    /// The library with the unpacking of more structs in `package::gen`; they are among its shared structs.
+    pub fn with_vectors(mut self, vectors: &[Vectors]) -> Self {
+        self.shared.add_vectors(vectors);
+        self
+    }
+
     /// The names of all modules, in order.
     pub fn modules(&self) -> impl Iterator<Item = &str> {
         self.modules.keys().map(String::as_str)
@@ -120,20 +121,6 @@ impl Library {
             named.extend(self.scan(module, &Features::new())?.features);
         }
         Ok(named)
-    }
-
-    /// The sets of features that make a difference to a module: all of them, or where its closure's conditions name more
-    /// than five, so many that every two features meet on and on, on and off, off and off: none, each by itself, each
-    /// pair, all but one, and all.
-    pub fn feature_sets(&self, module: &str) -> Result<Vec<Features>, ShaderError> {
-        let named: Vec<String> = self.link(module, &self.features()?)?.features.into_iter().collect();
-        let count = named.len();
-        let listed = |set: &u64| {
-            let on = set.count_ones() as usize;
-            count <= MOST_NAMED || on <= 2 || on + 1 >= count
-        };
-        let chosen = |set: u64| (0..count).filter(|bit| set >> bit & 1 == 1).map(|bit| named[bit].clone()).collect();
-        Ok((0..1 << count).filter(listed).map(chosen).collect())
     }
 
     /// The text of a module as it was read; None for one that is unknown or can't be read.
@@ -152,13 +139,6 @@ impl Library {
             }
         }
         Some(hasher.finish())
-    }
-
-    /// Joins a module and all it imports, directly or not, validates them and compares the shared structs' layouts.
-    ///
-    /// Fails on the first thing that is wrong, at its place in the file that holds it.
-    pub fn link(&self, module: &str, features: &Features) -> Result<Linked, ShaderError> {
-        on_large_stack(|| link::link(self, module, features))
     }
 
     /// Whether all modules have the same texts.

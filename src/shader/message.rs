@@ -5,7 +5,7 @@ use std::error::Error;
 use naga::valid::{CallError, EntryPointError, ExpressionError, FunctionError, GlobalVariableError, ValidationError};
 use naga::{Arena, Expression, Function, Handle, Module, TypeInner};
 
-use super::reflect::{type_name, type_text};
+use super::types::{type_name, type_text};
 
 /// What a validation error says, for a person who has only the source before them.
 pub fn validation(error: &ValidationError, module: &Module, text: &str) -> String {

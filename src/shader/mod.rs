@@ -11,6 +11,7 @@ mod check;
 mod conditional;
 mod depth;
 mod error;
+mod feature_sets;
 mod generated;
 mod library;
 mod link;
@@ -20,8 +21,10 @@ mod names;
 mod reflect;
 mod seek;
 mod site;
+mod source_map;
 mod stack;
 mod token;
+mod types;
 
 use std::collections::BTreeSet;
 

@@ -1,16 +1,15 @@
 //! Records Morton codes to tree, where triangles changed; and makes the tree, by what was recorded or by its twin.
 
 use bevy_ecs::prelude::*;
-use glam::Vec3;
 
 use super::error::EngineError;
 use super::phase::Phase;
 use super::resources::{Device, Frame, Tree, TreeBuilder};
 use super::run::counted;
-use crate::cpu;
 use crate::gpu::{GpuError, GpuTable, Runtime};
-use crate::layout::tree::{Triangle, core_radius};
-use crate::passes::{Recording, build};
+use crate::layout::tree::Triangle;
+use crate::passes::Recording;
+use crate::passes::tree::PLAN;
 
 pub fn add_systems(schedule: &mut Schedule) {
     let system = build_tree.pipe(counted("build_tree"));
@@ -24,19 +23,11 @@ fn build_tree(
     mut frame: ResMut<Frame>,
     triangles: Res<GpuTable<Triangle>>,
 ) -> Result<(), EngineError> {
-    let count = triangles.len() as u32;
-    for (name, bytes) in build::buffers(count) {
+    for (name, bytes) in (PLAN.buffers)(triangles.len() as u32) {
         device.0.reserve(name, bytes)?;
     }
-    let core = core_radius(count, |triangle| centre(&triangles.rows()[triangle as usize]));
-    build::record(&mut frame.build, count, core);
+    (PLAN.record)(&mut frame.build, triangles.rows());
     Ok(())
-}
-
-/// The centre of a triangle's box.
-fn centre(triangle: &Triangle) -> Vec3 {
-    let Triangle { a, b, c, .. } = *triangle;
-    (a.min(b).min(c) + a.max(b).max(c)) * 0.5
 }
 
 /// Makes `leaves` and `nodes` of `triangles`, and waits until they are there. `recording` is what
@@ -48,9 +39,13 @@ pub(super) fn make_tree(
     triangles: &[Triangle],
 ) -> Result<(), GpuError> {
     if builder == TreeBuilder::Twin && device.runs_shipped(recording) {
-        let tree = cpu::tree::build(triangles);
-        device.write("leaves", 0, &tree.leaves)?;
-        return device.write("nodes", 0, &tree.nodes);
+        let mut written = Ok(());
+        (PLAN.twin)(triangles, &mut |buffer, bytes| {
+            if written.is_ok() {
+                written = device.write(buffer, 0, bytes);
+            }
+        });
+        return written;
     }
     device.play(recording)?;
     device.wait()?;

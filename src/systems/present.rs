@@ -56,5 +56,5 @@ fn record_picture(
 pub fn view_params(geometry: &SceneGeometry, shot: &Shot, mode: ViewMode) -> ViewParams {
     let size = (geometry.high - geometry.low).length() as f32;
     let reach = if size.is_normal() { size } else { 1.0 };
-    ViewParams { shot: shot.params, mode: mode as u32, reach, pad0: 0, pad1: 0 }
+    ViewParams { trace_params: shot.params, mode: mode as u32, reach, pad0: 0, pad1: 0 }
 }

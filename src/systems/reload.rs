@@ -186,11 +186,12 @@ fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
     let (old, changed) = world.resource_mut::<Device>().0.replace(code);
     reload.linter.forget();
     for pass in changed {
-        match pass.makes {
-            Makes::Tree => reload.code_restarts.tree = true,
-            Makes::Film => reload.code_restarts.film = true,
-            Makes::Picture => reload.code_restarts.picture = true,
-            Makes::Answers => {}
+        for made in pass.makes {
+            match made {
+                Makes::Tree => reload.code_restarts.tree = true,
+                Makes::Film => reload.code_restarts.film = true,
+                Makes::Picture => reload.code_restarts.picture = true,
+            }
         }
     }
     if reload.trial.code.is_some() && !reload.trial.passed {

@@ -47,8 +47,16 @@ pub fn kinds(materials: &[(String, MaterialRecord)]) -> Vec<&(String, MaterialRe
         true => m.ns.max(1.0).log10() as i32,
         false => m.alpha.max(1e-4).log10() as i32,
     };
-    let kind =
-        |m: &MaterialRecord| (m.flags, m.glossy > 0.0, m.glossy < 1.0, m.transparency > 0.0, m.has_phong(), width(m));
+    let kind = |m: &MaterialRecord| {
+        (
+            m.flags,
+            m.specular_probability > 0.0,
+            m.specular_probability < 1.0,
+            m.transparency > 0.0,
+            m.has_phong(),
+            width(m),
+        )
+    };
     let white = |m: &MaterialRecord| (m.kd + m.ks).max_element();
     let mut found: Vec<&(String, MaterialRecord)> = Vec::new();
     for material in materials {
@@ -88,7 +96,7 @@ pub fn run(
     }
     let trials: Vec<_> = cases.iter().zip(draws.chunks_exact(DRAWS)).map(|(c, d)| Trial::new(c, d, seed)).collect();
     let points: Vec<Vec4> = trials.iter().flat_map(|(_, points)| points).map(|p| p.as_vec3().extend(0.0)).collect();
-    runtime.upload("lint_asked", &points)?;
+    runtime.upload("lint_directions", &points)?;
     let answers = ask(&mut runtime, cases.len(), POINTS, seed, false)?;
     if !wanted() {
         return Ok(None);

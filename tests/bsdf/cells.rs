@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 use lucerna::cpu::bsdf::{Specular, mirror};
 
-use super::{BsdfProbe, facing};
+use super::{BsdfProbe, frame};
 
 /// Cells about an axis: rows of the angle from it with bounds `rows`, of equal turns.
 pub struct Cells {
@@ -62,7 +62,7 @@ impl Cells {
 
 /// Cells about the mirror direction that grow with the angle as the lobe does, to the far pole.
 pub fn cells(probe: &BsdfProbe, lobe: Specular) -> Cells {
-    let view = facing(probe);
+    let view = frame(probe);
     let rows = 16;
     // Equal parts of a lobe for most rows, then equal ratios of angles.
     let angle = |part: f64| match lobe {

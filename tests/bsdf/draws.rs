@@ -5,7 +5,7 @@ use lucerna::cpu::bsdf::{Reflection, Specular};
 use lucerna::cpu::rng::{sample_1d, sample_2d, sample_key};
 
 use super::cells::cells;
-use super::{BsdfProbe, draws, facing, probe, rig};
+use super::{BsdfProbe, draws, frame, probe, rig};
 use crate::statistics::{CHI_SQUARE_LIMIT, chi_square_z};
 
 const TWINS: [(f32, f32, Specular, f64); 10] = [
@@ -40,7 +40,7 @@ fn draws_equal_the_f64_twin() {
         for transparency in [0.0, 0.25] {
             let mut probe = BsdfProbe { count: 1 << 14, ..probe(kd, ks, lobe, degrees) };
             probe.material.transparency = transparency;
-            let view = facing(&probe);
+            let view = frame(&probe);
             let reflection = Reflection::from(&probe.material);
             let mut worst = [0.0f64; 3];
             for (i, got) in draws(&mut rig, &probe).iter().enumerate() {
@@ -51,7 +51,7 @@ fn draws_equal_the_f64_twin() {
                 if cos.abs() < 1e-5 {
                     continue;
                 }
-                assert_eq!(got.pdf == 0.0, right.pdf == 0.0 || cos < 0.0, "{lobe:?}, draw {i}: a delta or not");
+                assert_eq!(got.pdf == 0.0, right.pdf == 0.0 || cos < 0.0, "{lobe:?}, draw {i}: specular or not");
                 let weight = match right.pdf > 0.0 && cos > 0.0 {
                     true => {
                         let at = reflection.evaluate(&view, got.direction);
@@ -98,7 +98,7 @@ fn draws_follow_the_pdf() {
     let mut rig = rig();
     for (kd, ks, lobe, degrees) in MIXTURES {
         let probe = probe(kd, ks, lobe, degrees);
-        let view = facing(&probe);
+        let view = frame(&probe);
         let reflection = Reflection::from(&probe.material);
         let cells = cells(&probe, lobe);
         let observed = cells.count(draws(&mut rig, &probe).iter().map(|draw| draw.direction));

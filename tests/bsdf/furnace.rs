@@ -3,12 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
-use lucerna::cpu::bsdf::Facing;
+use lucerna::cpu::bsdf::ShadingFrame;
 use lucerna::cpu::bsdf::Specular::{Ggx, Phong};
 use lucerna::cpu::bsdf::ggx::lambda;
 use lucerna::gpu::Runtime;
 
-use super::{ALBEDO, BsdfProbe, facing, probe, rig, run};
+use super::{ALBEDO, BsdfProbe, frame, probe, rig, run};
 
 /// Mean weight of a probe's draws, over the unit square.
 fn mean(rig: &mut Runtime, probe: &BsdfProbe) -> DVec3 {
@@ -44,11 +44,11 @@ fn phong_albedo_is_the_integral() {
     for ns in [0.0, 1.0, 7.0, 100.0, 3e3, 1e5] {
         for degrees in [0.0, 30.0, 60.0, 80.0, 89.0] {
             let both = BsdfProbe { count: 640, ..probe(0.5, 0.5, Phong(ns), degrees) };
-            let p = f64::from(both.material.glossy);
+            let p = f64::from(both.material.specular_probability);
             let lobe = mean(&mut rig, &BsdfProbe { pick: 0.0, ..both });
             let cosine = mean(&mut rig, &BsdfProbe { pick: 0.999_999, ..both });
             let got = p * lobe + (1.0 - p) * cosine;
-            let Facing { shading: n, wo, .. } = facing(&both);
+            let ShadingFrame { shading: n, wo, .. } = frame(&both);
             let right = both.material.kd.as_dvec3() + both.material.ks.as_dvec3() * phong_albedo(ns, n.dot(wo));
             assert!((got - right).abs().max_element() < 1e-4, "Ns {ns}, {degrees} degrees: {got}, not {right}");
         }
@@ -69,10 +69,10 @@ fn over_facets(alpha: f64, cos_view: f64, term: impl Fn(f64) -> f64) -> f64 {
         for j in 0..STEPS / 2 {
             let turn = PI * (j as f64 + 0.5) / (STEPS / 2) as f64;
             // (wo h) / cos_h.
-            let facing = cos_view + sin_view * tan * turn.cos();
-            if facing > 0.0 {
-                let cos_i = 2.0 * facing * cos2 - cos_view;
-                sum += 2.0 * s * facing / cos_view * term(cos_i);
+            let frame = cos_view + sin_view * tan * turn.cos();
+            if frame > 0.0 {
+                let cos_i = 2.0 * frame * cos2 - cos_view;
+                sum += 2.0 * s * frame / cos_view * term(cos_i);
             }
         }
     }
@@ -89,7 +89,7 @@ fn ggx_albedo_is_the_integral() {
         for degrees in ANGLES {
             let probe = BsdfProbe { count: 640, ..probe(0.0, 1.0, Ggx(alpha), degrees) };
             let got = mean(&mut rig, &probe).x;
-            let view = facing(&probe);
+            let view = frame(&probe);
             let cos_view = view.shading.dot(view.wo);
             let masked = lambda(alpha, cos_view);
             let right = over_facets(alpha, cos_view, |cos| match cos > 0.0 {

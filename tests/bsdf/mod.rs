@@ -1,15 +1,15 @@
 //! Random numbers, elementary functions, sampling and BSDFs on the GPU, against f64.
 
 mod cells;
-mod delta;
 mod draws;
 mod elementary;
 mod furnace;
 mod pack;
+mod specular;
 mod tilted;
 
 use glam::{DVec3, Vec3, Vec4};
-use lucerna::cpu::bsdf::{Facing, Specular};
+use lucerna::cpu::bsdf::{ShadingFrame, Specular};
 use lucerna::gpu::Runtime;
 use lucerna::gpu_struct;
 use lucerna::layout::GpuConst;
@@ -30,7 +30,7 @@ gpu_struct! {
         pub count: u32,
         /// What chooses the lobe in `albedo`.
         pub pick: f32,
-        pub from_behind: u32,
+        pub back_face: u32,
         pub pad1: u32,
         pub pad2: u32,
         /// The surface's own normal; `normal` is the shading normal.
@@ -43,7 +43,7 @@ const NO_CONSTS: &[GpuConst] = &[];
 
 const PROBE: &str = "
 import package::gen::{BsdfProbe, SampleKey};
-import package::lib::bsdf::mixture::{BsdfSample, Facing, mixture_evaluate, mixture_sample};
+import package::lib::bsdf::mixture::{BsdfSample, ShadingFrame, mixture_evaluate, mixture_sample};
 @if(dielectric) import package::lib::bsdf::dielectric::{fresnel, interface_of};
 import package::lib::math::{expm1_negative, log1p_negative, sin_cos_turns};
 import package::lib::rng::{sample_1d, sample_2d};
@@ -51,8 +51,8 @@ import package::lib::rng::{sample_1d, sample_2d};
 @group(0) @binding(0) var<storage, read> params: BsdfProbe;
 @group(0) @binding(1) var<storage, read_write> probed: array<vec4<f32>>;
 
-fn facing() -> Facing {
-    return Facing(params.wo, params.normal, params.geometric, params.from_behind);
+fn frame() -> ShadingFrame {
+    return ShadingFrame(params.wo, params.normal, params.geometric, params.back_face);
 }
 
 @compute @workgroup_size(64)
@@ -60,8 +60,8 @@ fn draw(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     let i = group.x * 64u + local;
     if (i >= params.count) { return; }
     let key = SampleKey(i, 0u, 0u, params.seed);
-    let drawn = mixture_sample(params.material, facing(), sample_1d(key, 0u), sample_2d(key, 1u));
-    let at = mixture_evaluate(params.material, facing(), drawn.direction);
+    let drawn = mixture_sample(params.material, frame(), sample_1d(key, 0u), sample_2d(key, 1u));
+    let at = mixture_evaluate(params.material, frame(), drawn.direction);
     probed[3u * i] = vec4<f32>(drawn.direction, drawn.pdf);
     probed[3u * i + 1u] = vec4<f32>(drawn.weight, at.pdf);
     probed[3u * i + 2u] = vec4<f32>(at.value, 0.0);
@@ -77,7 +77,7 @@ fn albedo(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     for (var j = 0u; j < params.count; j++) {
         let at = (vec2<f32>(vec2<u32>(i, j)) + 0.5) / f32(params.count);
         let u = vec2<f32>(1.0 - at.y * at.y, at.x);
-        sum += 2.0 * at.y * mixture_sample(params.material, facing(), params.pick, u).weight;
+        sum += 2.0 * at.y * mixture_sample(params.material, frame(), params.pick, u).weight;
     }
     probed[i] = vec4<f32>(sum / f32(params.count), 0.0);
 }
@@ -96,7 +96,7 @@ fn split(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     let i = group.x * 64u + local;
     if (i >= params.count) { return; }
     @if(dielectric) {
-        let at = fresnel(interface_of(params.material.ni, params.from_behind != 0u), probed[i].x);
+        let at = fresnel(interface_of(params.material.ni, params.back_face != 0u), probed[i].x);
         probed[i] = vec4<f32>(at.reflectance, at.cos_transmitted, 0.0, 0.0);
     }
 }
@@ -109,7 +109,8 @@ macro_rules! probe {
             module: "tests/bsdf",
             entry: $entry,
             bindings: &[Binding::params("BsdfProbe"), Binding::write("probed", "array<vec4<f32>>")],
-            makes: lucerna::passes::Makes::Answers,
+            makes: &[],
+            twin: lucerna::passes::Twin::None("of a test"),
         };
     };
 }
@@ -186,7 +187,7 @@ fn probe(kd: f32, ks: f32, lobe: Specular, degrees: f64) -> BsdfProbe {
 
 /// The same on a facet whose own normal leans off the shading normal by `lean` degrees, `turn` turns from the viewer's side.
 fn leaning(probe: BsdfProbe, lean: f64, turn: f64) -> BsdfProbe {
-    let Facing { wo, shading: n, .. } = facing(&probe);
+    let ShadingFrame { wo, shading: n, .. } = frame(&probe);
     let side = wo.reject_from_normalized(n).normalize();
     let away = side.rotate_axis(n, turn * std::f64::consts::TAU);
     let geometric = n * lean.to_radians().cos() + away * lean.to_radians().sin();
@@ -195,7 +196,7 @@ fn leaning(probe: BsdfProbe, lean: f64, turn: f64) -> BsdfProbe {
 }
 
 /// A probe's view in f64, of unit vectors.
-fn facing(probe: &BsdfProbe) -> Facing {
+fn frame(probe: &BsdfProbe) -> ShadingFrame {
     let [wo, shading, geometric] = [probe.wo, probe.normal, probe.geometric].map(|v| v.as_dvec3().normalize());
-    Facing { wo, shading, geometric, from_behind: probe.from_behind != 0 }
+    ShadingFrame { wo, shading, geometric, back_face: probe.back_face != 0 }
 }

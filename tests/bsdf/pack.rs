@@ -21,10 +21,10 @@ fn grey(kd: f32, ks: f32) -> Reflector {
 #[test]
 fn what_a_material_lacks_is_not_compiled() {
     assert_eq!(features(grey(0.5, 0.0)), [""; 0]);
-    assert_eq!(features(grey(0.5, 0.2)), ["glossy"]);
+    assert_eq!(features(grey(0.5, 0.2)), ["phong"]);
     assert_eq!(features(Reflector { roughness: Some(0.5), ..grey(0.5, 0.2) }), ["ggx"]);
     assert_eq!(features(Reflector { mirror: true, ..grey(0.5, 0.2) }), ["mirror"]);
-    assert_eq!(features(Reflector { opacity: 0.5, ..grey(0.5, 0.0) }), ["thin"]);
+    assert_eq!(features(Reflector { opacity: 0.5, ..grey(0.5, 0.0) }), ["alpha"]);
     assert_eq!(features(Reflector { dielectric: true, opacity: 0.5, ..grey(0.5, 0.2) }), ["dielectric"]);
     // No lobe, no code for it.
     assert_eq!(features(Reflector { roughness: Some(0.5), mirror: true, ..grey(0.5, 0.0) }), [""; 0]);
@@ -45,11 +45,14 @@ fn roughness_chooses_the_lobe() {
 fn metal_reflects_its_colour_and_glass_has_none() {
     let metal = pack(Reflector { metallic: 0.75, ..grey(0.4, 0.1) });
     assert!((metal.kd - 0.1).abs().max_element() < 1e-6 && (metal.ks - 0.4).abs().max_element() < 1e-6);
-    assert!((metal.glossy - 0.8).abs() < 1e-6);
+    assert!((metal.specular_probability - 0.8).abs() < 1e-6);
     // The energy rule comes after.
     let bright = pack(Reflector { metallic: 0.5, ..grey(1.0, 1.0) });
     assert!((bright.kd - 0.25).abs().max_element() < 1e-6 && (bright.ks - 0.75).abs().max_element() < 1e-6);
     let glass = pack(Reflector { dielectric: true, ni: 1.5, opacity: 0.5, ..grey(0.4, 0.1) });
-    assert_eq!((glass.flags, glass.ni, glass.glossy, glass.transparency), (MATERIAL_DIELECTRIC, 1.5, 0.0, 0.0));
+    assert_eq!(
+        (glass.flags, glass.ni, glass.specular_probability, glass.transparency),
+        (MATERIAL_DIELECTRIC, 1.5, 0.0, 0.0)
+    );
     assert_eq!((glass.kd, glass.ks), (Vec3::ZERO, Vec3::ZERO));
 }

@@ -10,7 +10,7 @@ use lucerna::gpu::Runtime;
 use lucerna::layout::trace::Reflector;
 
 use super::cells::Cells;
-use super::{ALBEDO, BsdfProbe, draws, facing, leaning, library, look, probe, rig, run};
+use super::{ALBEDO, BsdfProbe, draws, frame, leaning, library, look, probe, rig, run};
 use crate::statistics::{CHI_SQUARE_LIMIT, chi_square_z};
 use crate::support;
 
@@ -36,7 +36,7 @@ fn draws_equal_the_f64_twin() {
     for (kd, ks, lobe) in SURFACES {
         for (degrees, lean, turn) in LEANS {
             let probe = BsdfProbe { count: 1 << 12, ..leaning(probe(kd, ks, lobe, degrees), lean, turn) };
-            let (view, reflection) = (facing(&probe), Reflection::from(&probe.material));
+            let (view, reflection) = (frame(&probe), Reflection::from(&probe.material));
             let case = format!("{lobe:?}, {degrees} degrees, leaning by {lean}");
             for (i, got) in draws(&mut rig, &probe).iter().enumerate() {
                 let key = sample_key(i as u32, 0, probe.seed);
@@ -74,7 +74,7 @@ fn draws_equal_the_f64_twin() {
 
 /// Cells about the facet's normal, so that no cell has both sides of it.
 fn cells(probe: &BsdfProbe) -> Cells {
-    Cells { axis: facing(probe).geometric, rows: (0..=90).map(|i| PI * f64::from(i) / 90.0).collect(), turns: 72 }
+    Cells { axis: frame(probe).geometric, rows: (0..=90).map(|i| PI * f64::from(i) / 90.0).collect(), turns: 72 }
 }
 
 #[test]
@@ -83,7 +83,7 @@ fn draws_follow_the_pdf() {
     for (kd, ks, lobe) in SURFACES.into_iter().filter(|(_, _, lobe)| *lobe != Mirror) {
         for (degrees, lean, turn) in LEANS {
             let probe = BsdfProbe { count: 1 << 16, ..leaning(probe(kd, ks, lobe, degrees), lean, turn) };
-            let (view, reflection, cells) = (facing(&probe), Reflection::from(&probe.material), cells(&probe));
+            let (view, reflection, cells) = (frame(&probe), Reflection::from(&probe.material), cells(&probe));
             let case = format!("{lobe:?}, {degrees} degrees, leaning by {lean}");
             let observed = cells.count(draws(&mut rig, &probe).iter().map(|draw| draw.direction));
             let parts = cells.integrate(|d| reflection.evaluate(&view, d).pdf);
@@ -107,7 +107,7 @@ fn albedo(rig: &mut Runtime, probe: &BsdfProbe) -> DVec3 {
         let rows = run(rig, &ALBEDO, &probe, probe.count as usize);
         rows.iter().map(|v| v.truncate().as_dvec3()).sum::<DVec3>() / f64::from(probe.count)
     };
-    let p = f64::from(probe.material.glossy);
+    let p = f64::from(probe.material.specular_probability);
     let specular = if p > 0.0 { p * mean(0.0) } else { DVec3::ZERO };
     let diffuse = if p < 1.0 { (1.0 - p) * mean(0.999_999) } else { DVec3::ZERO };
     specular + diffuse
@@ -150,17 +150,17 @@ fn a_leaning_normal_loses_nothing_that_a_flat_one_keeps() {
 fn glass_sends_all_light_to_the_right_sides() {
     let mut rig = rig();
     for ni in [1.0, 1.1, 1.5, 2.4] {
-        for from_behind in [false, true] {
+        for back_face in [false, true] {
             for (degrees, lean, turn) in LEANS {
                 let values = Reflector { dielectric: true, ni, tf: Vec3::ONE, ..Reflector::default() };
-                let view = BsdfProbe { from_behind: u32::from(from_behind), count: 1 << 10, ..look(&values, degrees) };
+                let view = BsdfProbe { back_face: u32::from(back_face), count: 1 << 10, ..look(&values, degrees) };
                 let probe = leaning(view, lean, turn);
-                let (view, reflection) = (facing(&probe), Reflection::from(&probe.material));
-                let squeeze = f64::from(if from_behind { ni } else { 1.0 / ni }).powi(2);
+                let (view, reflection) = (frame(&probe), Reflection::from(&probe.material));
+                let squeeze = f64::from(if back_face { ni } else { 1.0 / ni }).powi(2);
                 for (i, got) in draws(&mut rig, &probe).iter().enumerate() {
                     let key = sample_key(i as u32, 0, probe.seed);
                     let right = reflection.sample(&view, sample_1d(key, 0), sample_2d(key, 1));
-                    let case = format!("Ni {ni}, from behind: {from_behind}, {degrees} degrees, leaning by {lean}");
+                    let case = format!("Ni {ni}, from behind: {back_face}, {degrees} degrees, leaning by {lean}");
                     let off = got.direction.distance(right.direction);
                     assert!(off < 2e-5, "{case}: {}, not {}", got.direction, right.direction);
                     let crosses = got.direction.dot(view.geometric) < 0.0;

@@ -52,21 +52,21 @@ const MIXTURE: &str = "lib/bsdf/mixture";
 const LIGHT: &str = "lib/light";
 const SAMPLING: &str = "lib/sampling";
 const FOUND: &str =
-    "light *= power_heuristic((*state).pdf, light_pdf(params, material, raw, (*state).direction, hit.t));";
-const ASKED: &str = "(power_heuristic(drawn.pdf, at.pdf) / drawn.pdf)";
+    "light *= power_heuristic((*state).pdf, light_pdf(params, material, area_normal, (*state).direction, hit.t));";
+const SAMPLED: &str = "(power_heuristic(drawn.pdf, at.pdf) / drawn.pdf)";
 const SURVIVAL: &str = "largest_of((*state).throughput) * (*state).eta_scale";
 
 pub const WRONG: &[Edit] = &[
     gross("half of diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.5 * INV_PI * cos_theta)")]),
     edit("1 % less diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.99 * INV_PI * cos_theta)")]),
-    edit("half of the light that is asked for", &[change(PATH, "drawn.radiance *", "0.5 * drawn.radiance *")]),
+    edit("half of the light that is sampled", &[change(PATH, "drawn.radiance *", "0.5 * drawn.radiance *")]),
     edit("1 % more of it", &[change(PATH, "drawn.radiance *", "1.01 * drawn.radiance *")]),
-    edit("no weight of light that is asked for", &[change(PATH, ASKED, "(1.0 / drawn.pdf)")]),
+    edit("no weight of light that is sampled", &[change(PATH, SAMPLED, "(1.0 / drawn.pdf)")]),
     edit("no weight of light that is found", &[change(PATH, FOUND, "light *= 1.0;")]),
     edit("weights that do not add up to 1", &[change(LIGHT, "1.0 + ratio * ratio", "1.0 + 0.5 * ratio * ratio")]),
     edit("a diffuse pdf of even directions", &[change(LAMBERT, "return INV_PI * cos_theta", "return 0.5 * INV_PI")]),
     edit("a diffuse pdf 1 % too low", &[change(LAMBERT, "return INV_PI *", "return 0.99 * INV_PI *")]),
-    gross("the wrong side", &[change(PATH, "select(unit, -unit, from_behind)", "select(-unit, unit, from_behind)")]),
+    gross("the wrong side", &[change(PATH, "select(unit, -unit, back_face)", "select(-unit, unit, back_face)")]),
     edit("roulette without its due", &[change(PATH, "(*state).throughput /= survival;", "")]),
     edit("1 % more after each bounce", &[change(PATH, "/= survival", "/= 0.99 * survival")]),
     edit("paths of three segments", &[change(PATH, "1u < params.max_depth", "1u < min(3u, params.max_depth)")]),
@@ -113,7 +113,7 @@ pub const RIGHT: &[Edit] = &[
         &[change(PATH, SURVIVAL, "0.5 + 0.5 * largest_of((*state).throughput) * (*state).eta_scale")],
     ),
     edit("harsher roulette", &[change(PATH, SURVIVAL, "0.5 * largest_of((*state).throughput) * (*state).eta_scale")]),
-    edit("light is found and never asked for", &[change(PATH, FOUND, "light *= 1.0;"), change(PATH, ASKED, "0.0")]),
+    edit("light is found and never sampled", &[change(PATH, FOUND, "light *= 1.0;"), change(PATH, SAMPLED, "0.0")]),
     edit(
         "half of the looks at lights, twice",
         &[change(
@@ -134,14 +134,22 @@ pub const RIGHT: &[Edit] = &[
     ),
     edit(
         "the lobe by the other end",
-        &[change(MIXTURE, "pick < m.glossy && is_phong", "pick >= 1.0 - m.glossy && is_phong")],
+        &[change(
+            MIXTURE,
+            "pick < m.specular_probability && is_phong",
+            "pick >= 1.0 - m.specular_probability && is_phong",
+        )],
     ),
     edit(
         "half as many glossy directions",
         &[
-            change(MIXTURE, "pick < m.glossy && is_phong", "pick < 0.5 * m.glossy && is_phong"),
-            change(MIXTURE, "pdf *= 1.0 - m.glossy", "pdf *= 1.0 - 0.5 * m.glossy"),
-            change(MIXTURE, "m.glossy * lobe.pdf", "0.5 * m.glossy * lobe.pdf"),
+            change(
+                MIXTURE,
+                "pick < m.specular_probability && is_phong",
+                "pick < 0.5 * m.specular_probability && is_phong",
+            ),
+            change(MIXTURE, "pdf *= 1.0 - m.specular_probability", "pdf *= 1.0 - 0.5 * m.specular_probability"),
+            change(MIXTURE, "m.specular_probability * lobe.pdf", "0.5 * m.specular_probability * lobe.pdf"),
         ],
     ),
     edit("other random numbers", &[change("lib/rng_sobol", "0x536f626fu", "0x536f6270u")]),
@@ -157,8 +165,8 @@ pub const RIGHT: &[Edit] = &[
                 CONNECT,
                 "// The density with which draw_light() draws",
                 "@if(lights)
-fn uniform_area_pdf(params: TraceParams, raw: vec3<f32>) -> f32 {
-    return params.light_share / (f32(params.lights) * 0.5 * length(raw));
+fn uniform_area_pdf(params: TraceParams, area_normal: vec3<f32>) -> f32 {
+    return params.light_share / (f32(params.lights) * 0.5 * length(area_normal));
 }
 
 // The density with which draw_light() draws",
@@ -166,12 +174,12 @@ fn uniform_area_pdf(params: TraceParams, raw: vec3<f32>) -> f32 {
             change(
                 CONNECT,
                 "light_area_pdf(material.emission, sides, params.light_density)",
-                "uniform_area_pdf(params, raw)",
+                "uniform_area_pdf(params, area_normal)",
             ),
             change(
                 CONNECT,
                 "light_area_pdf(light.emission, select(2u, 1u, one_sided), params.light_density)",
-                "uniform_area_pdf(params, raw)",
+                "uniform_area_pdf(params, area_normal)",
             ),
         ],
     ),

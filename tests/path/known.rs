@@ -61,7 +61,7 @@ fn few_triangles_make_a_picture() {
 #[test]
 fn one_sided_light_leaves_the_front_only() {
     for one_sided in [false, true] {
-        for (facing, e, f) in [(true, Vec3::X, Vec3::Y), (false, Vec3::Y, Vec3::X)] {
+        for (frame, e, f) in [(true, Vec3::X, Vec3::Y), (false, Vec3::Y, Vec3::X)] {
             let mut room = Room::default();
             let mut record = matte(Vec3::ZERO, Vec3::ONE);
             record.flags = u32::from(one_sided);
@@ -70,7 +70,7 @@ fn one_sided_light_leaves_the_front_only() {
             let mut rig = support::rig();
             room.load(&mut rig);
             let got = samples(&mut rig, &room.params(UVec2::ONE))[0].rgb.x;
-            assert_eq!(got, if facing || !one_sided { 1.0 } else { 0.0 }, "facing {facing}, one-sided {one_sided}");
+            assert_eq!(got, if frame || !one_sided { 1.0 } else { 0.0 }, "frame {frame}, one-sided {one_sided}");
         }
     }
 }

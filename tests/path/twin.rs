@@ -45,7 +45,7 @@ fn an_error_of_one_percent_is_seen() {
 
 #[test]
 fn a_single_material_needs_no_other_features() {
-    // Without `glossy`, `emitters` and `normals` the kernel is another module; the environment alone gives light.
+    // Without `phong`, `emitters` and `normals` the kernel is another module; the environment alone gives light.
     let mut room = Room { environment: Vec3::new(1.0, 2.0, 0.5), ..Room::default() };
     let grey = room.material(matte(Vec3::new(0.5, 0.7, 0.2), Vec3::ZERO));
     room.walls([Some(grey), Some(grey), Some(grey), Some(grey), Some(grey), None]);

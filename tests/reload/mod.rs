@@ -5,6 +5,7 @@ mod guide;
 mod links;
 mod lint;
 mod many;
+mod purposes;
 mod saves;
 mod scenes;
 mod slow;

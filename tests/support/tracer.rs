@@ -47,7 +47,8 @@ static EXTEND_BRUTE: Pass = Pass {
     module: "passes/trace/extend_brute",
     entry: "extend_brute",
     bindings: extend::EXTEND.bindings,
-    makes: lucerna::passes::Makes::Answers,
+    makes: &[],
+    twin: lucerna::passes::Twin::None("of a test"),
 };
 
 /// Word 0 becomes fma(1 + 2^-12, 1 + 2^-12, -1 - 2^-11), which is 2^-24 if rounded once, 0 if twice. It reads the
@@ -66,7 +67,8 @@ static PROBE_FMA: Pass = Pass {
     module: "passes/probe_fma",
     entry: "probe_fma",
     bindings: &[Binding::write("words", "array<f32>")],
-    makes: lucerna::passes::Makes::Answers,
+    makes: &[],
+    twin: lucerna::passes::Twin::None("of a test"),
 };
 
 /// How the device of the tests rounds fma().

@@ -1,7 +1,7 @@
 //! Trees that no pass has built, of scenes made to be hard to hit.
 
 use glam::{Vec3, Vec4};
-use lucerna::cpu::morton::Bounds;
+use lucerna::cpu::bounds::Bounds;
 use lucerna::cpu::tree::Tree;
 use lucerna::layout::ray::{Ray, T_FAR};
 use lucerna::layout::tree::{LEAF_BIT, NO_ROOT, Node, Triangle};

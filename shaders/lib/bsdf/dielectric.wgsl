@@ -16,13 +16,14 @@ struct Fresnel {
 }
 
 // `ni` is the index behind the surface, 1 that before it.
-fn interface_of(ni: f32, from_behind: bool) -> Interface {
+fn interface_of(ni: f32, back_face: bool) -> Interface {
     let gap = (ni - 1.0) * (ni + 1.0);
-    return Interface(select(1.0, ni, from_behind), select(ni, 1.0, from_behind), select(gap, -gap, from_behind));
+    return Interface(select(1.0, ni, back_face), select(ni, 1.0, back_face), select(gap, -gap, back_face));
 }
 
-// What radiance is multiplied by on its way through: it is squeezed into another cone (Veach 1997, 5.2).
-fn squeeze_of(at: Interface) -> f32 {
+// What radiance is multiplied by on its way through, the square of the relative index of refraction: it is squeezed into another cone
+// (Veach 1997, 5.2).
+fn eta_squared(at: Interface) -> f32 {
     return (at.a / at.b) * (at.a / at.b);
 }
 

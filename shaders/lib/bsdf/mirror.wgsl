@@ -1,4 +1,4 @@
-// Smooth mirror: all light in one direction, so f is a delta.
+// Smooth mirror: all light in one direction, so f is a Dirac delta.
 
 // `wo` reflected about the unit normal `n`.
 fn reflected(wo: vec3<f32>, n: vec3<f32>) -> vec3<f32> {

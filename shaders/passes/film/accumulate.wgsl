@@ -56,7 +56,7 @@ fn add_or_log(half: ptr<function, FilmHalf>, arrived: RadianceSample, pixel: u32
     }
 }
 
-// The samples of one pixel, layer by layer; returns the rays they took.
+// The samples of one pixel, layer by layer; returns how many rays were traced for them.
 fn add_layers(pixel: u32) -> u32 {
     let pixels = params.window_width * params.window_height;
     var rays = 0u;

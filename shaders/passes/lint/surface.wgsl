@@ -1,13 +1,13 @@
-// Asks a surface about itself, for a judge on the CPU: draws of mixture_sample() with what mixture_evaluate() says of them, or
-// what it says of directions that the judge has chosen.
+// Evaluates a surface for the linter on the CPU: draws of mixture_sample() with what mixture_evaluate() returns for them, or what it
+// returns for directions that the linter has chosen.
 
 import package::gen::{LintAnswer, LintCase, LintParams, SampleKey};
-import package::lib::bsdf::mixture::{BsdfSample, Facing, mixture_evaluate, mixture_sample};
+import package::lib::bsdf::mixture::{BsdfSample, ShadingFrame, mixture_evaluate, mixture_sample};
 import package::lib::rng::{sample_1d, sample_2d};
 
 @group(0) @binding(0) var<storage, read> params: LintParams;
 @group(0) @binding(1) var<storage, read> lint_cases: array<LintCase>;
-@group(0) @binding(2) var<storage, read> lint_asked: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read> lint_directions: array<vec4<f32>>;
 @group(0) @binding(3) var<storage, read_write> lint_answers: array<LintAnswer>;
 
 @compute @workgroup_size(64)
@@ -21,12 +21,12 @@ fn surface(
         return;
     }
     let surface = lint_cases[i / params.per_case];
-    let facing = Facing(surface.wo, surface.normal, surface.normal, 0u);
-    var drawn = BsdfSample(lint_asked[i].xyz, 0.0, vec3<f32>(0.0));
+    let frame = ShadingFrame(surface.wo, surface.normal, surface.normal, 0u);
+    var drawn = BsdfSample(lint_directions[i].xyz, 0.0, vec3<f32>(0.0));
     if (params.draw != 0u) {
         let key = SampleKey(i, 0u, 0u, params.seed);
-        drawn = mixture_sample(surface.material, facing, sample_1d(key, 0u), sample_2d(key, 1u));
+        drawn = mixture_sample(surface.material, frame, sample_1d(key, 0u), sample_2d(key, 1u));
     }
-    let at = mixture_evaluate(surface.material, facing, drawn.direction);
+    let at = mixture_evaluate(surface.material, frame, drawn.direction);
     lint_answers[i] = LintAnswer(drawn.direction, drawn.pdf, drawn.weight, at.pdf, at.value, 0.0);
 }

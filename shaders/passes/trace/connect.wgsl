@@ -1,7 +1,7 @@
-// A light drawn to be asked directly, and the density with which that is done.
+// Light sampling (next-event estimation): a light drawn for a surface, and the density with which that is done.
 
 import package::gen::{TraceParams, NO_HIT};
-@if(lights) import package::gen::{LightRecord, MATERIAL_ONE_SIDED, MaterialRecord};
+@if(lights) import package::gen::{LIGHT_RECORD_STRIDE, LightRecord, MATERIAL_ONE_SIDED, MaterialRecord, unpack_light_record};
 @if(lights) import package::lib::alias::{alias_pick};
 @if(lights) import package::lib::intersect::{triangle_normal};
 @if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point};
@@ -13,15 +13,8 @@ import package::gen::{TraceParams, NO_HIT};
 // By four words, as nodes are read.
 @if(lights)
 fn load_light(index: u32) -> LightRecord {
-    let at = 4u * index;
-    let a = lights[at];
-    let b = lights[at + 1u];
-    let c = lights[at + 2u];
-    let emission = lights[at + 3u];
-    return LightRecord(
-        bitcast<vec3<f32>>(a.xyz), bitcast<f32>(a.w), bitcast<vec3<f32>>(b.xyz), b.w,
-        bitcast<vec3<f32>>(c.xyz), c.w, bitcast<vec3<f32>>(emission.xyz), bitcast<f32>(emission.w),
-    );
+    let at = LIGHT_RECORD_STRIDE * index;
+    return unpack_light_record(lights[at], lights[at + 1u], lights[at + 2u], lights[at + 3u]);
 }
 
 // How far from the way to a light, as part of it, the t may be at which its own test finds it: many roundings, unless the light is so
@@ -43,20 +36,20 @@ struct LightSample {
     end: f32,
 }
 
-// The density by solid angle of a direction of unit length that meets a light of normal `raw`, of any length, at distance `t`.
+// The density by solid angle of a direction of unit length that meets a light of normal `area_normal`, of any length, at distance `t`.
 @if(lights)
-fn solid_angle_pdf(area_pdf: f32, raw: vec3<f32>, direction: vec3<f32>, t: f32) -> f32 {
-    let size = largest_of(abs(raw));
+fn solid_angle_pdf(area_pdf: f32, area_normal: vec3<f32>, direction: vec3<f32>, t: f32) -> f32 {
+    let size = largest_of(abs(area_normal));
     // A triangle without area is never hit, and is no light; one seen edge-on is hit by rounding alone.
-    let cos_light = max(abs(dot(normalize(raw / max(size, 1e-37)), direction)), 1e-12);
+    let cos_light = max(abs(dot(normalize(area_normal / max(size, 1e-37)), direction)), 1e-12);
     return area_pdf * (t * t / cos_light);
 }
 
 // The density with which draw_light() draws a direction that was found to meet a surface at distance `t`.
 @if(lights)
-fn light_pdf(params: TraceParams, material: MaterialRecord, raw: vec3<f32>, direction: vec3<f32>, t: f32) -> f32 {
+fn light_pdf(params: TraceParams, material: MaterialRecord, area_normal: vec3<f32>, direction: vec3<f32>, t: f32) -> f32 {
     let sides = select(2u, 1u, (material.flags & MATERIAL_ONE_SIDED) != 0u);
-    return solid_angle_pdf(light_area_pdf(material.emission, sides, params.light_density), raw, direction, t);
+    return solid_angle_pdf(light_area_pdf(material.emission, sides, params.light_density), area_normal, direction, t);
 }
 
 // A triangle by its power, from one number. With n lights that leaves 24 - log2 n bits to choose between a column and its
@@ -67,7 +60,7 @@ fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f3
     let column = load_light(drawn.column);
     let light = load_light(select(column.other, drawn.column, drawn.rest < column.threshold));
     let drawn_point = light_point(light, u);
-    let raw = triangle_normal(light.a, light.b, light.c);
+    let area_normal = triangle_normal(light.a, light.b, light.c);
     // What rounding of the point and of the ray to it is a part of.
     let reach = distance(drawn_point, position) + largest_of(abs(drawn_point));
     let point = kept_from_edges(light, drawn_point, reach);
@@ -78,11 +71,11 @@ fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f3
     }
     let direction = offset / t;
     let one_sided = light.shrink < 0.0;
-    let lit = !one_sided || dot(raw, direction) < 0.0;
+    let lit = !one_sided || dot(area_normal, direction) < 0.0;
     let area_pdf = light_area_pdf(light.emission, select(2u, 1u, one_sided), params.light_density);
-    let pdf = solid_angle_pdf(area_pdf, raw, direction, t);
-    // A speck, or a light so edge-on that rays to it meet its neighbour by their rounding, is looked at from just before it.
-    let cos_light = abs(dot(normalize(raw / largest_of(abs(raw))), direction));
+    let pdf = solid_angle_pdf(area_pdf, area_normal, direction, t);
+    // A speck, or a light so edge-on that rays to it meet its neighbour by their rounding: the shadow ray ends just before it.
+    let cos_light = abs(dot(normalize(area_normal / largest_of(abs(area_normal))), direction));
     let is_speck = abs(light.shrink) * reach > 0.5 * cos_light;
     let end = 1.0 + select(AROUND_LIGHT, -AROUND_LIGHT, is_speck);
     return LightSample(direction, select(0.0, pdf, lit), light.emission, light.triangle, point, end);

@@ -1,18 +1,19 @@
-// Paths from the camera: integrator `Path`, which asks a light directly at every surface (`lights`, `sky_light`), or `Bsdf`, which
+// Paths from the camera: integrator `Path`, which samples a light at every surface (`lights`, `sky_light`), or `Bsdf`, which
 // finds light by hitting it. One sample of one pixel an invocation.
 //
 // begin, extend, shade and connect are functions over one path state, and the entry point composes them.
 
 import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
+import package::gen::{MATERIAL_RECORD_STRIDE, unpack_material_record};
 import package::gen::{Hit, Ray, Triangle, NO_HIT, T_FAR};
 import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
 import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
 @if(roulette) import package::gen::{ROULETTE_BOUNCE};
 @if(dielectric && roulette) import package::gen::{MATERIAL_DIELECTRIC};
-@if(dielectric && roulette) import package::lib::bsdf::dielectric::{interface_of, squeeze_of};
+@if(dielectric && roulette) import package::lib::bsdf::dielectric::{eta_squared, interface_of};
 @if(lights || sky_light) import package::gen::{SLOT_LIGHT_POINT};
 @if(normals) import package::gen::{Shading};
-import package::lib::bsdf::mixture::{Facing, mixture_sample};
+import package::lib::bsdf::mixture::{ShadingFrame, mixture_sample};
 @if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
 import package::lib::camera::{camera_direction};
 import package::lib::fault::{fault_of};
@@ -38,13 +39,8 @@ const LARGEST_F32: f32 = 0x1.fffffep+127;
 
 // By four words, as nodes are read.
 fn load_material(index: u32) -> MaterialRecord {
-    let at = 5u * index;
-    let kd = bitcast<vec4<f32>>(materials[at]);
-    let ks = materials[at + 1u];
-    let emission = bitcast<vec4<f32>>(materials[at + 2u]);
-    let tf = bitcast<vec4<f32>>(materials[at + 3u]);
-    let rest = bitcast<vec4<f32>>(materials[at + 4u]);
-    return MaterialRecord(kd.xyz, kd.w, bitcast<vec3<f32>>(ks.xyz), ks.w, emission.xyz, emission.w, tf.xyz, tf.w, rest.x, rest.y, 0u, 0u);
+    let at = MATERIAL_RECORD_STRIDE * index;
+    return unpack_material_record(materials[at], materials[at + 1u], materials[at + 2u], materials[at + 3u], materials[at + 4u]);
 }
 
 fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
@@ -63,23 +59,23 @@ fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, materi
     return good;
 }
 
-// Adds to the pixel.
-fn gather(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> bool {
+// Adds to the pixel; whether the path is still good.
+fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> bool {
     (*state).radiance += light;
     return check(state, (*state).radiance, params.largest, material);
 }
 
-// How the surface at a hit is seen. `raw` is the triangle's normal by its winding, of any length.
-fn facing_at(triangle: Triangle, hit: Hit, raw: vec3<f32>, wo: vec3<f32>) -> Facing {
-    let unit = normalize(raw / largest_of(abs(raw)));
-    let from_behind = dot(unit, wo) < 0.0;
-    let geometric = select(unit, -unit, from_behind);
+// How the surface at a hit is seen. `area_normal` is the triangle's normal by its winding, of any length.
+fn shading_frame_at(triangle: Triangle, hit: Hit, area_normal: vec3<f32>, wo: vec3<f32>) -> ShadingFrame {
+    let unit = normalize(area_normal / largest_of(abs(area_normal)));
+    let back_face = dot(unit, wo) < 0.0;
+    let geometric = select(unit, -unit, back_face);
     var shading_normal = geometric;
     @if(normals) {
         let smooth_normal = interpolate_normal(shading[triangle.index], hit.b1, hit.b2, geometric);
         shading_normal = bent_to_viewer(smooth_normal, geometric, wo);
     }
-    return Facing(wo, shading_normal, geometric, u32(from_behind));
+    return ShadingFrame(wo, shading_normal, geometric, u32(back_face));
 }
 
 // `pixel` in the whole film, `sample` a film sample: even ones belong to half 0, odd ones to half 1.
@@ -98,7 +94,7 @@ fn segment_ray(state: PathState) -> Ray {
     return Ray(state.origin, 0.0, state.direction, T_FAR);
 }
 
-// The ray of a path: a segment of it, or a look at a light.
+// The ray of a path: a segment of it, or a shadow ray.
 fn extend(state: ptr<function, PathState>, ray: Ray, extent: f32, enough: f32) -> Hit {
     (*state).rays += 1u;
     return traverse(ray, params.root, extent, enough);
@@ -109,9 +105,9 @@ fn extend(state: ptr<function, PathState>, ray: Ray, extent: f32, enough: f32) -
 @if(roulette)
 fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f32>, u: f32) -> bool {
     @if(dielectric) {
-        let crosses = dot(direction, surface.facing.geometric) < 0.0;
+        let crosses = dot(direction, surface.frame.geometric) < 0.0;
         if (crosses && (surface.material.flags & MATERIAL_DIELECTRIC) != 0u) {
-            (*state).eta_scale /= squeeze_of(interface_of(surface.material.ni, surface.facing.from_behind != 0u));
+            (*state).eta_scale /= eta_squared(interface_of(surface.material.ni, surface.frame.back_face != 0u));
         }
     }
     let played = (*state).bounce >= ROULETTE_BOUNCE;
@@ -130,7 +126,7 @@ struct Choices {
 // Draws a new direction from the BSDF of the surface at the end of the ray. Whether the path goes on.
 fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) -> bool {
     let u = sample_2d((*state).key, dimension(state, SLOT_DIRECTION));
-    let drawn = mixture_sample(surface.material, surface.facing, choices.lobe, u);
+    let drawn = mixture_sample(surface.material, surface.frame, choices.lobe, u);
     (*state).throughput *= drawn.weight;
     var alive = check(state, (*state).throughput, LARGEST_F32, surface.index);
     alive = alive && largest_of((*state).throughput) > 0.0;
@@ -138,7 +134,7 @@ fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
         alive = alive && survive(state, surface, drawn.direction, choices.roulette);
     }
     if (alive) {
-        (*state).origin = offset_ray_origin(surface.position, surface.error, surface.facing.geometric, drawn.direction);
+        (*state).origin = offset_ray_origin(surface.position, surface.error, surface.frame.geometric, drawn.direction);
         (*state).direction = drawn.direction;
         (*state).pdf = drawn.pdf;
         (*state).cone_width += (*state).cone_spread * surface.t;
@@ -147,15 +143,15 @@ fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
     return alive;
 }
 
-// A look at a light. The light is seen if no other triangle comes before it in the order of hits: the question that a path's segment
-// asks, so that both ways of finding a light see the same scene, however close to the light something lies.
+// A sampled light and the shadow ray to it. The light is seen if no other triangle comes before it in the order of hits, as for a
+// path's segment: so both ways of finding a light see the same scene, however close to the light something lies.
 @if(lights || sky_light)
 struct Connection {
     // To just beyond the light, or just before a speck of one.
     ray: Ray,
-    // What is hit nearer than this hides the light for certain, and ends the walk.
+    // What is hit nearer than this hides the light for certain, and ends the traversal.
     enough: f32,
-    // What it adds to the pixel if that is seen; 0 where there is no use in looking.
+    // What it adds to the pixel if that is seen; 0 where no shadow ray is needed.
     light: vec3<f32>,
     // The light's triangle, or NO_HIT.
     triangle: u32,
@@ -166,12 +162,12 @@ struct Connection {
 fn connect(state: ptr<function, PathState>, surface: Surface, pick: f32) -> Connection {
     let u = sample_2d((*state).key, dimension(state, SLOT_LIGHT_POINT));
     let drawn = draw_light(params, surface.position, pick, u);
-    let at = mixture_evaluate(surface.material, surface.facing, drawn.direction);
+    let at = mixture_evaluate(surface.material, surface.frame, drawn.direction);
     var light = vec3<f32>(0.0);
     if (drawn.pdf > 0.0 && at.pdf > 0.0) {
         light = (*state).throughput * at.value * drawn.radiance * (power_heuristic(drawn.pdf, at.pdf) / drawn.pdf);
     }
-    let origin = offset_ray_origin(surface.position, surface.error, surface.facing.geometric, drawn.direction);
+    let origin = offset_ray_origin(surface.position, surface.error, surface.frame.geometric, drawn.direction);
     if (drawn.triangle == NO_HIT) {
         return Connection(Ray(origin, 0.0, drawn.direction, T_FAR), T_FAR, light, NO_HIT);
     }
@@ -183,7 +179,7 @@ fn connect(state: ptr<function, PathState>, surface: Surface, pick: f32) -> Conn
 
 // The surface at the end of a ray.
 struct Surface {
-    facing: Facing,
+    frame: ShadingFrame,
     material: MaterialRecord,
     // Index of the material.
     index: u32,
@@ -194,14 +190,14 @@ struct Surface {
     t: f32,
 }
 
-fn surface_at(triangle: Triangle, hit: Hit, material: MaterialRecord, raw: vec3<f32>, wo: vec3<f32>) -> Surface {
+fn surface_at(triangle: Triangle, hit: Hit, material: MaterialRecord, area_normal: vec3<f32>, wo: vec3<f32>) -> Surface {
     let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
-    let facing = facing_at(triangle, hit, raw, wo);
-    return Surface(facing, material, triangle.material, at.position, at.error, hit.t);
+    let frame = shading_frame_at(triangle, hit, area_normal, wo);
+    return Surface(frame, material, triangle.material, at.position, at.error, hit.t);
 }
 
 // What arrives along the ray from its end, times the part of it that this way of finding it counts for.
-fn arriving(state: ptr<function, PathState>, hit: Hit, triangle: Triangle, material: MaterialRecord, raw: vec3<f32>) -> vec3<f32> {
+fn incident_radiance(state: ptr<function, PathState>, hit: Hit, material: MaterialRecord, area_normal: vec3<f32>) -> vec3<f32> {
     var light = vec3<f32>(0.0);
     if (hit.triangle == NO_HIT) {
         @if(environment) {
@@ -217,24 +213,24 @@ fn arriving(state: ptr<function, PathState>, hit: Hit, triangle: Triangle, mater
         }
     } else {
         @if(emitters) {
-            light = emitted(material, dot(raw, (*state).direction) > 0.0);
+            light = emitted(material, dot(area_normal, (*state).direction) > 0.0);
         }
         @if(lights) {
             if ((*state).pdf > 0.0) {
-                light *= power_heuristic((*state).pdf, light_pdf(params, material, raw, (*state).direction, hit.t));
+                light *= power_heuristic((*state).pdf, light_pdf(params, material, area_normal, (*state).direction, hit.t));
             }
         }
     }
     return light;
 }
 
-// What happened at the end of a ray: where the path goes on, and where it looks for light first.
+// What happened at the end of a ray: where the path goes on, and the shadow ray that comes first.
 struct Shaded {
     alive: bool,
     @if(lights || sky_light) connection: Connection,
 }
 
-// What happens at the end of the ray: light is gathered, a light is asked, a new direction drawn.
+// What happens at the end of the ray: its radiance is added, a light is sampled, a new direction drawn.
 //
 // Written with one way out, for each early one costs lavapipe's compiler masks over all that follows.
 fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
@@ -242,12 +238,12 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
     // Of a ray that missed: leaf 0, not used.
     let triangle = load_leaf(hit.leaf);
     let material = load_material(triangle.material);
-    let raw = triangle_normal(triangle.a, triangle.b, triangle.c);
-    let light = arriving(state, hit, triangle, material, raw);
+    let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
+    let light = incident_radiance(state, hit, material, area_normal);
     var shaded: Shaded;
-    shaded.alive = gather(state, (*state).throughput * light, select(triangle.material, NO_MATERIAL, missed));
+    shaded.alive = add_radiance(state, (*state).throughput * light, select(triangle.material, NO_MATERIAL, missed));
     if (shaded.alive && !missed && (*state).bounce + 1u < params.max_depth) {
-        let surface = surface_at(triangle, hit, material, raw, -(*state).direction);
+        let surface = surface_at(triangle, hit, material, area_normal, -(*state).direction);
         let u = sample_4d((*state).key, dimension(state, SLOT_CHOICES));
         let choices = Choices(u.x, u.y, u.z);
         @if(lights || sky_light) {
@@ -278,29 +274,29 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
     let extent = scene_extent(params.root);
     var state = begin(id.xy + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
     @if(lights || sky_light) {
-        // Segments and looks at lights take turns in one loop, so that the walk through the scene is compiled once.
+        // Segments and shadow rays take turns in one loop, so that traversal is compiled once.
         var ray = segment_ray(state);
-        var looking = false;
+        var is_shadow_ray = false;
         var alive = true;
         var connection: Connection;
         for (var i = 0u; i < 2u * params.max_depth; i++) {
-            let hit = extend(&state, ray, extent, select(0.0, connection.enough, looking));
-            if (looking) {
-                looking = false;
+            let hit = extend(&state, ray, extent, select(0.0, connection.enough, is_shadow_ray));
+            if (is_shadow_ray) {
+                is_shadow_ray = false;
                 if (hit.triangle == connection.triangle || hit.triangle == NO_HIT) {
-                    alive = gather(&state, connection.light, NO_MATERIAL) && alive;
+                    alive = add_radiance(&state, connection.light, NO_MATERIAL) && alive;
                 }
             } else {
                 let shaded = shade(&state, hit);
                 alive = shaded.alive;
                 connection = shaded.connection;
-                looking = state.faulty == 0u && largest_of(connection.light) > 0.0;
+                is_shadow_ray = state.faulty == 0u && largest_of(connection.light) > 0.0;
             }
-            if (!alive && !looking) {
+            if (!alive && !is_shadow_ray) {
                 break;
             }
             ray = segment_ray(state);
-            if (looking) {
+            if (is_shadow_ray) {
                 ray = connection.ray;
             }
         }

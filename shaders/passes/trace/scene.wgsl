@@ -1,27 +1,20 @@
 // The tree as every query reads it. Bindings 0 and 1 are its; a kernel that queries numbers its own from 2.
 
-import package::gen::{Node, Triangle, LEAF_BIT};
+import package::gen::{Node, Triangle, LEAF_BIT, NODE_STRIDE, TRIANGLE_STRIDE, unpack_node, unpack_triangle};
 
-// Nodes of four, and triangles of three, times four words: lavapipe reads each member of a struct by a loop of its own over
-// its lanes, with a branch for each, and four words by one.
+// By vectors of four words: lavapipe reads each member of a struct by a loop of its own over its lanes, with a branch for each, and four
+// words by one.
 @group(0) @binding(0) var<storage, read> nodes: array<vec4<u32>>;
 @group(0) @binding(1) var<storage, read> leaves: array<vec4<u32>>;
 
 fn load_node(index: u32) -> Node {
-    let at = 4u * index;
-    let x = bitcast<vec4<f32>>(nodes[at]);
-    let y = bitcast<vec4<f32>>(nodes[at + 1u]);
-    let z = bitcast<vec4<f32>>(nodes[at + 2u]);
-    let links = nodes[at + 3u];
-    return Node(x, y, z, links.x, links.y, links.z, links.w);
+    let at = NODE_STRIDE * index;
+    return unpack_node(nodes[at], nodes[at + 1u], nodes[at + 2u], nodes[at + 3u]);
 }
 
 fn load_leaf(index: u32) -> Triangle {
-    let at = 3u * index;
-    let a = leaves[at];
-    let b = leaves[at + 1u];
-    let c = leaves[at + 2u];
-    return Triangle(bitcast<vec3<f32>>(a.xyz), a.w, bitcast<vec3<f32>>(b.xyz), b.w, bitcast<vec3<f32>>(c.xyz), c.w);
+    let at = TRIANGLE_STRIDE * index;
+    return unpack_triangle(leaves[at], leaves[at + 1u], leaves[at + 2u]);
 }
 
 // The greatest coordinate of the scene's box; there is at least one triangle.

@@ -2,6 +2,7 @@
 
 import package::gen::{Hit, Ray, Triangle, ViewParams, NO_HIT, T_FAR};
 import package::gen::{VIEW_ALBEDO, VIEW_COST, VIEW_DEPTH, VIEW_MATERIAL, VIEW_MOST_STEPS, VIEW_NORMAL};
+import package::gen::{MATERIAL_RECORD_KD, MATERIAL_RECORD_KS, MATERIAL_RECORD_STRIDE, material_record_kd, material_record_ks};
 @if(normals) import package::gen::{Shading};
 import package::lib::camera::{camera_direction};
 import package::lib::colour::{srgb8};
@@ -28,17 +29,17 @@ fn codes(v: vec3<f32>) -> u32 {
     return word(vec3<u32>(clamp(v, vec3<f32>(0.0), vec3<f32>(1.0)) * 255.0 + 0.5));
 }
 
-// kd and ks are the first two of a record's five times four words.
 fn albedo(material: u32) -> vec3<f32> {
-    let kd = bitcast<vec3<f32>>(materials[5u * material].xyz);
-    let ks = bitcast<vec3<f32>>(materials[5u * material + 1u].xyz);
+    let at = MATERIAL_RECORD_STRIDE * material;
+    let kd = material_record_kd(materials[at + MATERIAL_RECORD_KD]);
+    let ks = material_record_ks(materials[at + MATERIAL_RECORD_KS]);
     return kd + ks;
 }
 
 // Turned to where the ray came from; smooth where the triangle has normals of its own.
 fn normal_at(triangle: Triangle, hit: Hit, direction: vec3<f32>) -> vec3<f32> {
-    let raw = triangle_normal(triangle.a, triangle.b, triangle.c);
-    let unit = normalize(raw / largest_of(abs(raw)));
+    let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
+    let unit = normalize(area_normal / largest_of(abs(area_normal)));
     let geometric = select(unit, -unit, dot(unit, direction) > 0.0);
     var normal = geometric;
     @if(normals) {
@@ -91,12 +92,12 @@ fn seen(hit: Hit, direction: vec3<f32>) -> u32 {
 
 @compute @workgroup_size(8, 8)
 fn view(@builtin(global_invocation_id) id: vec3<u32>) {
-    let shot = params.shot;
-    if (id.x >= shot.window_width || id.y >= shot.window_height) {
+    let trace_params = params.trace_params;
+    if (id.x >= trace_params.window_width || id.y >= trace_params.window_height) {
         return;
     }
-    let middle = vec2<f32>(id.xy + vec2<u32>(shot.window_x, shot.window_y)) + 0.5;
-    let direction = camera_direction(shot, middle);
-    let hit = closest_hit(Ray(shot.position, 0.0, direction, T_FAR), shot.root);
-    picture[id.y * shot.window_width + id.x] = seen(hit, direction);
+    let middle = vec2<f32>(id.xy + vec2<u32>(trace_params.window_x, trace_params.window_y)) + 0.5;
+    let direction = camera_direction(trace_params, middle);
+    let hit = closest_hit(Ray(trace_params.position, 0.0, direction, T_FAR), trace_params.root);
+    picture[id.y * trace_params.window_width + id.x] = seen(hit, direction);
 }

@@ -1,7 +1,7 @@
 // The binary radix tree over the sorted codes (Karras 2012, "Maximizing Parallelism in the Construction of BVHs,
 // Octrees, and k-d Trees"), each node with the boxes of its two children.
 //
-// A thread finds the range of its node and where that splits, and asks the pyramid for the boxes of both halves. No
+// A thread finds the range of its node and where that splits, and queries the pyramid for the boxes of both halves. No
 // thread reads what another one of this dispatch writes, so nothing depends on the order in which they run.
 
 import package::gen::{BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, SORT_IN_BACK, SortPlan};
@@ -31,14 +31,14 @@ fn sorted_code(leaf: u32, in_back: bool) -> vec2<u32> {
     return keys[leaf];
 }
 
-// The leaf that prefixes are taken with.
+// The leaf that others are compared with.
 struct Origin {
     leaf: i32,
     code: vec2<u32>,
     in_back: bool,
 }
 
-// Length of the common prefix with another leaf, equal codes told apart by their indices; -1 outside.
+// Length of the common prefix with another leaf, equal codes being ordered by their indices; -1 outside.
 fn prefix(origin: Origin, other: i32) -> i32 {
     if (other < 0 || other >= i32(params.count)) {
         return -1;

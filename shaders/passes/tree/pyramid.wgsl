@@ -1,6 +1,6 @@
 // Boxes over aligned runs of 2^k leaves, PYRAMID_LEVELS levels a dispatch.
 //
-// Level k has floor(n / 2^k) boxes, since a query never asks for a run that is cut off by the end, and the levels lie
+// Level k has floor(n / 2^k) boxes, since a query never needs a run that is cut off by the end, and the levels lie
 // one behind the other. A workgroup reads 2 GROUP_SIZE boxes of the source level and writes all that lies above them.
 
 import package::gen::{LeafBox, PYRAMID_LEVELS, PyramidParams};

@@ -3,12 +3,11 @@
 use std::sync::Arc;
 
 use super::{BenchError, BenchReport, Case, measure, measure_unstamped, spheres};
-use crate::cpu::morton;
-use crate::cpu::tree::{self, Tree};
-use crate::cpu::tree_check::{self, TreeMeasure};
+use crate::cpu::tree_check::TreeMeasure;
 use crate::gpu::{Gpu, Runtime};
-use crate::layout::tree::node_count;
-use crate::passes::{Recording, build};
+use crate::layout::tree::Triangle;
+use crate::passes::Recording;
+use crate::passes::tree::PLAN;
 use crate::shader::Library;
 
 /// Builds in one submission where timestamps are left out, so that the cost of submitting is small beside them.
@@ -30,27 +29,36 @@ fn case(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Case, BenchError> {
     let triangles = spheres(count, SEED);
     let count = triangles.len() as u32;
     let mut rig = Runtime::new(gpu.clone(), Library::shipped());
-    for (name, bytes) in build::buffers(count) {
+    for (name, bytes) in (PLAN.buffers)(count) {
         rig.reserve(name, bytes)?;
     }
     rig.upload("triangles", &triangles)?;
     let mut whole = Recording::default();
-    build::record(&mut whole, count, morton::core_of(&triangles));
+    (PLAN.record)(&mut whole, &triangles);
 
     let nothing = Recording::default();
     let mut rows = measure(&mut rig, &nothing, &whole, runs)?;
     rows.push(measure_unstamped(&mut rig, &nothing, &whole, runs, REPEATS)?);
-    let found = Tree {
-        leaves: rig.read_some("leaves", count as usize)?,
-        nodes: rig.read_some("nodes", node_count(count) as usize)?,
-    };
-    let (found, twin) = (judge(&found)?, judge(&tree::build(&triangles))?);
+    let bytes = |buffer| PLAN.bytes(buffer, count) as usize;
+    let found = judge(&rig.read_some("leaves", bytes("leaves"))?, &rig.read_some("nodes", bytes("nodes"))?)?;
+    let twin = judge_twin(&triangles)?;
     Ok(Case::new(format!("{count} triangles"), u64::from(count), "triangles/s", rows)
         .note("depth", f64::from(found.depth))
         .note("SAH cost", found.sah)
         .note("SAH cost of the CPU twin", twin.sah))
 }
 
-fn judge(tree: &Tree) -> Result<TreeMeasure, BenchError> {
-    tree_check::measure(&tree.leaves, &tree.nodes).map_err(|fault| BenchError::Wrong(fault.to_string()))
+/// Judges the tree that the CPU builds.
+fn judge_twin(triangles: &[Triangle]) -> Result<TreeMeasure, BenchError> {
+    let (mut leaves, mut nodes) = (Vec::new(), Vec::new());
+    (PLAN.twin)(triangles, &mut |buffer, bytes| match buffer {
+        "leaves" => leaves = bytes.to_vec(),
+        _ => nodes = bytes.to_vec(),
+    });
+    judge(&leaves, &nodes)
+}
+
+/// Judges a tree by the contents of its buffers.
+fn judge(leaves: &[u8], nodes: &[u8]) -> Result<TreeMeasure, BenchError> {
+    (PLAN.cost)(leaves, nodes).map_err(|fault| BenchError::Wrong(fault.to_string()))
 }

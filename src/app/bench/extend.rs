@@ -6,13 +6,13 @@ use glam::{Vec2, Vec3};
 
 use super::{BenchError, BenchReport, Case, measure, spheres};
 use crate::cpu::intersect::{Fma, offset_ray_origin, surface_point, triangle_normal};
-use crate::cpu::morton;
 use crate::cpu::traverse::closest_hit;
 use crate::cpu::tree::Tree;
 use crate::gpu::{Gpu, Runtime};
 use crate::layout::ray::{Hit, NO_HIT, Ray, T_FAR};
 use crate::layout::tree::{Triangle, node_count};
-use crate::passes::{Recording, build, extend};
+use crate::passes::tree::PLAN;
+use crate::passes::{Recording, extend};
 use crate::scene::generate::{SPHERES_VIEW, SplitMix};
 use crate::shader::Library;
 
@@ -40,11 +40,11 @@ fn scene(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Vec<Case>, BenchError>
     let triangles = spheres(count, SEED);
     rig.set_features(gpu.shader_features());
     rig.upload("triangles", &triangles)?;
-    for (name, bytes) in build::buffers(count).into_iter().chain(extend::buffers(side * side)) {
+    for (name, bytes) in (PLAN.buffers)(count).into_iter().chain(extend::buffers(side * side)) {
         rig.reserve(name, bytes)?;
     }
     let mut building = Recording::default();
-    build::record(&mut building, count, morton::core_of(&triangles));
+    (PLAN.record)(&mut building, &triangles);
     rig.play(&building)?;
     let tree = Tree {
         leaves: rig.read_some("leaves", count as usize)?,

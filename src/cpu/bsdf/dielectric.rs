@@ -11,8 +11,8 @@ pub struct Interface {
 
 impl Interface {
     /// Of a material of index `ni`, seen from outside or, from behind, from within.
-    pub fn new(ni: f64, from_behind: bool) -> Self {
-        if from_behind { Self { here: ni, beyond: 1.0 } } else { Self { here: 1.0, beyond: ni } }
+    pub fn new(ni: f64, back_face: bool) -> Self {
+        if back_face { Self { here: ni, beyond: 1.0 } } else { Self { here: 1.0, beyond: ni } }
     }
 
     /// Cosine of the refracted direction to the normal on its side; none under total reflection.
@@ -38,7 +38,7 @@ impl Interface {
     }
 
     /// What radiance is multiplied by on its way through: it is squeezed into another cone.
-    pub fn squeeze(&self) -> f64 {
+    pub fn eta_squared(&self) -> f64 {
         (self.here / self.beyond).powi(2)
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
-use super::{frame, mirror};
+use super::directions::{frame, mirror};
 
 /// Density of facets by the cosine of their normal to the surface's; 0 below the horizon.
 pub fn density(alpha: f64, cos: f64) -> f64 {

@@ -1,6 +1,7 @@
 //! BSDFs in f64: the oracle of `lib/bsdf` and `lib/sampling`. Directions are unit vectors that point away from the surface.
 
 pub mod dielectric;
+mod directions;
 pub mod ggx;
 
 use std::f64::consts::{PI, TAU};
@@ -8,6 +9,7 @@ use std::f64::consts::{PI, TAU};
 use glam::{DVec2, DVec3};
 
 use self::dielectric::Interface;
+pub use self::directions::{cos_power, mirror, sample_cosine, sample_phong};
 use crate::layout::trace::{MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MaterialRecord};
 
 /// A material's numbers in f64.
@@ -18,7 +20,7 @@ pub struct Reflection {
     /// What `ks` is the reflectance of.
     pub specular: Specular,
     /// Probability of sampling the specular lobe instead of the diffuse one.
-    pub glossy: f64,
+    pub specular_probability: f64,
     /// Part of the light that passes straight through, and the probability of following it.
     pub transparency: f64,
     /// What light that passes is multiplied by.
@@ -39,12 +41,12 @@ pub enum Specular {
 
 /// How a surface is seen: unit vectors, both normals on the side of `wo`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Facing {
+pub struct ShadingFrame {
     pub wo: DVec3,
     pub shading: DVec3,
     pub geometric: DVec3,
     /// The viewer is behind the surface, by its winding.
-    pub from_behind: bool,
+    pub back_face: bool,
 }
 
 /// A BSDF in one pair of directions, but for lobes of a single direction.
@@ -68,7 +70,7 @@ pub struct BsdfSample {
 
 impl From<&MaterialRecord> for Reflection {
     fn from(record: &MaterialRecord) -> Self {
-        let MaterialRecord { kd, ks, ns, glossy, flags, tf, ni, alpha, transparency, .. } = *record;
+        let MaterialRecord { kd, ks, ns, specular_probability, flags, tf, ni, alpha, transparency, .. } = *record;
         let specular = match () {
             () if flags & MATERIAL_GGX != 0 => Specular::Ggx(f64::from(alpha)),
             () if flags & MATERIAL_MIRROR != 0 => Specular::Mirror,
@@ -78,7 +80,7 @@ impl From<&MaterialRecord> for Reflection {
             kd: kd.as_dvec3(),
             ks: ks.as_dvec3(),
             specular,
-            glossy: f64::from(glossy),
+            specular_probability: f64::from(specular_probability),
             transparency: f64::from(transparency),
             tf: tf.as_dvec3(),
             dielectric: (flags & MATERIAL_DIELECTRIC != 0).then_some(f64::from(ni)),
@@ -86,10 +88,10 @@ impl From<&MaterialRecord> for Reflection {
     }
 }
 
-impl Facing {
+impl ShadingFrame {
     /// Of a flat surface, from its front.
     pub fn flat(n: DVec3, wo: DVec3) -> Self {
-        Self { wo, shading: n, geometric: n, from_behind: false }
+        Self { wo, shading: n, geometric: n, back_face: false }
     }
 
     fn is_above(&self, wi: DVec3) -> bool {
@@ -127,30 +129,30 @@ impl Facing {
 
 impl Reflection {
     /// f times the cosine of `wi` about the shading normal.
-    pub fn evaluate(&self, facing: &Facing, wi: DVec3) -> BsdfValue {
+    pub fn evaluate(&self, frame: &ShadingFrame, wi: DVec3) -> BsdfValue {
         let (mut value, mut pdf) = (DVec3::ZERO, 0.0);
         if self.dielectric.is_some() {
             return BsdfValue { value, pdf };
         }
-        let cos_theta = wi.dot(facing.shading);
-        if facing.is_above(wi) {
-            let diffuse = cos_theta / PI / facing.visible_part();
-            (value, pdf) = (self.kd * diffuse, (1.0 - self.glossy) * diffuse);
-            for from in [wi, facing.mirrored(wi)].into_iter().filter(|from| from.dot(facing.shading) > 0.0) {
-                let (glossy, glossy_pdf) = self.specular(facing, from);
-                value += self.ks * glossy;
-                pdf += self.glossy * glossy_pdf;
+        let cos_theta = wi.dot(frame.shading);
+        if frame.is_above(wi) {
+            let diffuse = cos_theta / PI / frame.visible_part();
+            (value, pdf) = (self.kd * diffuse, (1.0 - self.specular_probability) * diffuse);
+            for from in [wi, frame.mirrored(wi)].into_iter().filter(|from| from.dot(frame.shading) > 0.0) {
+                let (specular, specular_pdf) = self.specular(frame, from);
+                value += self.ks * specular;
+                pdf += self.specular_probability * specular_pdf;
             }
         } else if cos_theta <= 0.0 {
-            pdf = self.glossy * self.specular(facing, wi).1;
+            pdf = self.specular_probability * self.specular(frame, wi).1;
         }
         let opacity = 1.0 - self.transparency;
         BsdfValue { value: opacity * value, pdf: opacity * pdf }
     }
 
     /// f cos and pdf of the specular lobe of reflectance 1 about the shading normal, before the true surface mirrors what is below it.
-    fn specular(&self, facing: &Facing, wi: DVec3) -> (f64, f64) {
-        let Facing { wo, shading: n, .. } = *facing;
+    fn specular(&self, frame: &ShadingFrame, wi: DVec3) -> (f64, f64) {
+        let ShadingFrame { wo, shading: n, .. } = *frame;
         match self.specular {
             Specular::Phong(ns) => {
                 let lobe = cos_power(mirror(n, wo), wi, ns) / TAU;
@@ -162,33 +164,33 @@ impl Reflection {
     }
 
     /// A direction: `pick` chooses the lobe, `u` the direction in it, all in [0, 1).
-    pub fn sample(&self, facing: &Facing, pick: f64, u: DVec2) -> BsdfSample {
-        let Facing { wo, shading: n, .. } = *facing;
+    pub fn sample(&self, frame: &ShadingFrame, pick: f64, u: DVec2) -> BsdfSample {
+        let ShadingFrame { wo, shading: n, .. } = *frame;
         if pick < self.transparency {
             return BsdfSample { direction: -wo, pdf: 0.0, weight: self.tf };
         }
         let pick = (pick - self.transparency) / (1.0 - self.transparency);
         if let Some(ni) = self.dielectric {
-            return self.sample_dielectric(&Interface::new(ni, facing.from_behind), facing, pick);
+            return self.sample_dielectric(&Interface::new(ni, frame.back_face), frame, pick);
         }
-        let specular = pick < self.glossy;
+        let specular = pick < self.specular_probability;
         let lobe = match self.specular {
             Specular::Phong(ns) if specular => sample_phong(mirror(n, wo), ns, u),
             Specular::Ggx(alpha) if specular => ggx::sample(alpha, n, wo, u),
             Specular::Mirror if specular => mirror(n, wo),
-            _ => facing.crowded(sample_cosine(n, u)),
+            _ => frame.crowded(sample_cosine(n, u)),
         };
         // Below the shading normal a lobe carries nothing, wherever the surface is.
-        let direction = if lobe.dot(n) > 0.0 { facing.kept_above(lobe) } else { lobe };
+        let direction = if lobe.dot(n) > 0.0 { frame.kept_above(lobe) } else { lobe };
         if specular && self.specular == Specular::Mirror {
-            return BsdfSample { direction, pdf: 0.0, weight: self.ks / self.glossy };
+            return BsdfSample { direction, pdf: 0.0, weight: self.ks / self.specular_probability };
         }
-        let BsdfValue { value, pdf } = self.evaluate(facing, direction);
+        let BsdfValue { value, pdf } = self.evaluate(frame, direction);
         BsdfSample { direction, pdf, weight: if pdf > 0.0 { value / pdf } else { DVec3::ZERO } }
     }
 
-    fn sample_dielectric(&self, at: &Interface, facing: &Facing, pick: f64) -> BsdfSample {
-        let Facing { wo, shading, geometric, .. } = *facing;
+    fn sample_dielectric(&self, at: &Interface, frame: &ShadingFrame, pick: f64) -> BsdfSample {
+        let ShadingFrame { wo, shading, geometric, .. } = *frame;
         // Total reflection about a smooth normal can catch light for ever: where it is not total by the true one, that one counts.
         let n = if at.refracted(shading, wo).is_none() && at.refracted(geometric, wo).is_some() {
             geometric
@@ -197,47 +199,9 @@ impl Reflection {
         };
         let passed = at.refracted(n, wo).filter(|_| pick >= at.reflectance(n.dot(wo)));
         let (direction, weight) = match passed {
-            Some(wi) => (-facing.kept_above(-wi), self.tf * at.squeeze()),
-            None => (facing.kept_above(mirror(n, wo)), DVec3::ONE),
+            Some(wi) => (-frame.kept_above(-wi), self.tf * at.eta_squared()),
+            None => (frame.kept_above(mirror(n, wo)), DVec3::ONE),
         };
         BsdfSample { direction, pdf: 0.0, weight }
     }
-}
-
-/// `wo` reflected about `n`.
-pub fn mirror(n: DVec3, wo: DVec3) -> DVec3 {
-    2.0 * wo.dot(n) * n - wo
-}
-
-/// cos(alpha)^n, 0 from 90 degrees on.
-pub fn cos_power(a: DVec3, b: DVec3, n: f64) -> f64 {
-    let one_minus_cos = 0.5 * (a - b).length_squared();
-    if one_minus_cos < 1.0 { (n * (-one_minus_cos).ln_1p()).exp() } else { 0.0 }
-}
-
-/// Cosine-weighted about `n`.
-pub fn sample_cosine(n: DVec3, u: DVec2) -> DVec3 {
-    around(n, u.y, u.x.sqrt(), (1.0 - u.x).sqrt())
-}
-
-/// Phong lobe about `r`: cos(alpha) = (1 - u)^(1 / (n + 1)).
-pub fn sample_phong(r: DVec3, n: f64, u: DVec2) -> DVec3 {
-    let one_minus_cos = -((-u.x).ln_1p() / (n + 1.0)).exp_m1();
-    let sin = (one_minus_cos * (2.0 - one_minus_cos)).max(0.0).sqrt();
-    around(r, u.y, sin, 1.0 - one_minus_cos)
-}
-
-/// The direction at `turn` turns about unit `n`.
-fn around(n: DVec3, turn: f64, sin: f64, cos: f64) -> DVec3 {
-    let (t, b) = frame(n);
-    let (sin_turn, cos_turn) = (turn * TAU).sin_cos();
-    (t * (sin * cos_turn) + b * (sin * sin_turn) + n * cos).normalize()
-}
-
-/// Two unit vectors that make a right-handed frame with unit `n` (Duff et al., JCGT 6(1), 2017).
-fn frame(n: DVec3) -> (DVec3, DVec3) {
-    let s = if n.z >= 0.0 { 1.0 } else { -1.0 };
-    let a = -1.0 / (s + n.z);
-    let b = n.x * n.y * a;
-    (DVec3::new(1.0 + s * n.x * n.x * a, s * b, -s * n.x), DVec3::new(b, s + n.y * n.y * a, -n.y))
 }

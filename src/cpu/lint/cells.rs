@@ -51,7 +51,7 @@ impl Chart {
     }
 }
 
-/// Cells with the points in them where a pdf is asked for.
+/// Cells with the points in them where a pdf is evaluated.
 pub struct Cells {
     chart: Chart,
     cells: Vec<Cell>,

@@ -83,7 +83,7 @@ impl fmt::Display for Flaw {
     }
 }
 
-/// The draws of a surface, and the points at which its pdf is asked for.
+/// The draws of a surface, and the points at which its pdf is evaluated.
 pub struct Trial<'a> {
     case: &'a LintCase,
     draws: &'a [LintAnswer],
@@ -91,7 +91,7 @@ pub struct Trial<'a> {
 }
 
 impl<'a> Trial<'a> {
-    /// `draws`: [`DRAWS`] of the surface. Returns [`POINTS`] directions too, at which its pdf is to be asked for.
+    /// `draws`: [`DRAWS`] of the surface. Returns [`POINTS`] directions too, at which its pdf is to be evaluated.
     pub fn new(case: &'a LintCase, draws: &'a [LintAnswer], seed: u32) -> (Self, Vec<DVec3>) {
         let (normal, wo) = (case.normal.as_dvec3(), case.wo.as_dvec3());
         let mirror = (normal * (2.0 * normal.dot(wo)) - wo).normalize_or(normal);
@@ -105,9 +105,9 @@ impl<'a> Trial<'a> {
     /// What is wrong, the gravest first: what follows from broken numbers alone is left out. `answers`: at the points.
     pub fn judge(&self, answers: &[LintAnswer]) -> Vec<Flaw> {
         let draws = self.draws.iter().filter(|draw| is_broken(draw, true)).count();
-        let asked = answers.iter().filter(|answer| is_broken(answer, false)).count();
-        if draws + asked > 0 {
-            return vec![Flaw::Broken { draws: draws.max(asked) }];
+        let evaluated = answers.iter().filter(|answer| is_broken(answer, false)).count();
+        if draws + evaluated > 0 {
+            return vec![Flaw::Broken { draws: draws.max(evaluated) }];
         }
         let mut flaws: Vec<Flaw> = self.two_words().into_iter().collect();
         if let Some(cells) = &self.cells {
@@ -187,8 +187,8 @@ impl<'a> Trial<'a> {
     /// 1, unless the material as it was written reflects more, or squeezes radiance.
     fn largest_albedo(&self) -> f64 {
         let material: &MaterialRecord = &self.case.material;
-        let squeeze = if material.flags & MATERIAL_DIELECTRIC != 0 { f64::from(material.ni).powi(2) } else { 1.0 };
-        f64::from((material.kd + material.ks).max_element()).max(squeeze)
+        let eta_squared = if material.flags & MATERIAL_DIELECTRIC != 0 { f64::from(material.ni).powi(2) } else { 1.0 };
+        f64::from((material.kd + material.ks).max_element()).max(eta_squared)
     }
 }
 

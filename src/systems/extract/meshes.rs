@@ -10,7 +10,7 @@ use crate::components::{Geometry, MeshData, Name, Transform, UsesMaterial};
 use crate::gpu::GpuTable;
 use crate::layout::trace::Shading;
 use crate::layout::tree::Triangle;
-use crate::passes::build::MOST_TRIANGLES;
+use crate::passes::tree::PLAN;
 use crate::systems::error::EngineError;
 use crate::systems::resources::{Everything, MaterialSlot, MeshSlot, SceneGeometry};
 use crate::systems::run::counted;
@@ -113,8 +113,8 @@ fn plan_slots(sorted: &[Mesh], materials: &Query<&MaterialSlot>) -> Result<Vec<M
         });
         first += count;
     }
-    if first > u64::from(MOST_TRIANGLES) {
-        return Err(EngineError::TooManyTriangles { count: first, most: MOST_TRIANGLES });
+    if first > u64::from(PLAN.most_triangles) {
+        return Err(EngineError::TooManyTriangles { count: first, most: PLAN.most_triangles });
     }
     Ok(slots)
 }

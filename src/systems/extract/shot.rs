@@ -12,8 +12,9 @@ use crate::gpu::GpuTable;
 use crate::layout::film::film_exponent;
 use crate::layout::light::LightRecord;
 use crate::layout::trace::{MaterialRecord, TraceParams};
-use crate::layout::tree::{Triangle, root};
+use crate::layout::tree::Triangle;
 use crate::passes::trace::{Lighting, Needs, View, largest_emission};
+use crate::passes::tree::PLAN;
 use crate::systems::error::EngineError;
 use crate::systems::resources::{Everything, Exposure, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target};
 use crate::systems::run::counted;
@@ -133,7 +134,7 @@ fn shoot(
         environment,
         seed: render.seed,
         max_depth: render.max_depth.max(1),
-        root: root(packed.triangles.len() as u32),
+        root: (PLAN.root)(packed.triangles.len() as u32),
         ..Default::default()
     };
     let view = View { position: camera.position, look_at: camera.look_at, up: camera.up, fov_y: camera.fov_y };

@@ -7,12 +7,12 @@ use lucerna::cpu::rng::{sample_1d, sample_2d, sample_key};
 use lucerna::gpu::Runtime;
 use lucerna::layout::trace::Reflector;
 
-use super::{BsdfProbe, SPLIT, draws, facing, library, look, probe, rig, run};
+use super::{BsdfProbe, SPLIT, draws, frame, library, look, probe, rig, run};
 use crate::support;
 
-fn glass(ni: f32, tf: Vec3, degrees: f64, from_behind: bool) -> BsdfProbe {
+fn glass(ni: f32, tf: Vec3, degrees: f64, back_face: bool) -> BsdfProbe {
     let values = Reflector { dielectric: true, ni, tf, kd: Vec3::ONE, opacity: 0.5, ..Reflector::default() };
-    BsdfProbe { from_behind: u32::from(from_behind), count: 1 << 14, ..look(&values, degrees) }
+    BsdfProbe { back_face: u32::from(back_face), count: 1 << 14, ..look(&values, degrees) }
 }
 
 #[test]
@@ -20,7 +20,7 @@ fn a_mirror_reflects_into_one_direction() {
     let mut rig = rig();
     for degrees in [0.0, 45.0, 89.0, 89.99] {
         let probe = BsdfProbe { count: 64, ..probe(0.0, 1.0, Specular::Mirror, degrees) };
-        let view = facing(&probe);
+        let view = frame(&probe);
         for draw in draws(&mut rig, &probe) {
             assert!(draw.direction.distance(mirror(view.shading, view.wo)) < 5e-7, "at {degrees} degrees");
             assert_eq!((draw.pdf, draw.evaluated), (0.0, 0.0));
@@ -37,11 +37,11 @@ fn fresnel_error(rig: &mut Runtime) -> f64 {
     let rows: Vec<glam::Vec4> = cosines.iter().map(|&c| glam::Vec4::splat(c)).collect();
     let mut worst = 0f64;
     for ni in [1.0, 1.0001, 1.01, 1.33, 1.5, 2.0, 2.42, 3.0] {
-        for from_behind in [false, true] {
+        for back_face in [false, true] {
             rig.upload("probed", &rows).unwrap();
-            let params = BsdfProbe { count: rows.len() as u32, ..glass(ni, Vec3::ONE, 0.0, from_behind) };
+            let params = BsdfProbe { count: rows.len() as u32, ..glass(ni, Vec3::ONE, 0.0, back_face) };
             let got = run(rig, &SPLIT, &params, rows.len());
-            let at = Interface::new(f64::from(ni), from_behind);
+            let at = Interface::new(f64::from(ni), back_face);
             for (&cos, got) in cosines.iter().zip(got) {
                 let cos = f64::from(cos);
                 let right = at.reflectance(cos);
@@ -83,12 +83,12 @@ fn glass_draws_equal_the_twin() {
     let mut rig = rig();
     let tf = Vec3::new(1.0, 0.5, 0.25);
     for ni in [1.0, 1.1, 1.5, 3.0] {
-        for from_behind in [false, true] {
+        for back_face in [false, true] {
             for degrees in [0.0, 20.0, 45.0, 80.0, 89.0] {
-                let probe = glass(ni, tf, degrees, from_behind);
-                let view = facing(&probe);
+                let probe = glass(ni, tf, degrees, back_face);
+                let view = frame(&probe);
                 let reflection = Reflection::from(&probe.material);
-                let split = Interface::new(f64::from(ni), from_behind).reflectance(view.shading.dot(view.wo));
+                let split = Interface::new(f64::from(ni), back_face).reflectance(view.shading.dot(view.wo));
                 for (i, got) in draws(&mut rig, &probe).iter().enumerate() {
                     assert_eq!((got.pdf, got.evaluated), (0.0, 0.0));
                     let key = sample_key(i as u32, 0, probe.seed);
@@ -99,7 +99,7 @@ fn glass_draws_equal_the_twin() {
                     let right = reflection.sample(&view, pick, sample_2d(key, 1));
                     let off = got.direction.distance(right.direction);
                     // Refraction outwards stretches an error by the tangent beyond.
-                    assert!(off < 1e-5, "Ni {ni}, {degrees} degrees, {from_behind}: a direction is off by {off}");
+                    assert!(off < 1e-5, "Ni {ni}, {degrees} degrees, {back_face}: a direction is off by {off}");
                     let off = (got.weight - right.weight).abs().max_element();
                     assert!(off < 1e-6 * right.weight.max_element(), "Ni {ni}: {} for {}", got.weight, right.weight);
                     if ni == 1.0 {

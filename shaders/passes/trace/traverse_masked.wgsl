@@ -1,4 +1,4 @@
-// A walk for processors, which run a body to its end for the lanes that left in its middle, and what stands under an `if`, or in a loop
+// Traversal for processors, which run a body to its end for the lanes that left in its middle, and what stands under an `if`, or in a loop
 // there, even for none (lavapipe). So both loops are left at their ends, and a step up is a round like any other.
 
 import package::gen::{Hit, LEAF_BIT, MAX_STEPS, NO_HIT, NO_ROOT};
@@ -8,11 +8,11 @@ import package::passes::trace::children::{child_intervals, interval_passes};
 import package::passes::trace::leaf::{test_leaf};
 import package::passes::trace::scene::{load_node};
 
-// Where a walk is.
-struct Walk {
-    // The node to look at next, or NO_ROOT: then one of the stack, or the way up.
+// Where a traversal is.
+struct Traversal {
+    // The node to visit next, or NO_ROOT: then one of the stack, or the way up.
     next: u32,
-    // The node looked at last, and the one above it.
+    // The node visited last, and the one above it.
     last: u32,
     parent: u32,
     // Leaves to test, nearer first.
@@ -22,9 +22,9 @@ struct Walk {
     later: u32,
 }
 
-// A look at the children of a node: what to enter, what to test. Where the walk climbs, `below` is the child it comes from; what
+// Visits a node: which of its children to enter, which to test. Where the traversal climbs, `below` is the child it comes from; what
 // was near is done then, and of what is far a leaf. Else `below` is NO_ROOT.
-fn look_at(query: Query, index: u32, below: u32, t: f32) -> Walk {
+fn visit_node(query: Query, index: u32, below: u32, t: f32) -> Traversal {
     let node = load_node(index);
     let at = child_intervals(query, node);
     let left_first = at.near_left <= at.near_right;
@@ -40,7 +40,7 @@ fn look_at(query: Query, index: u32, below: u32, t: f32) -> Walk {
     let enter_far = far_passes && far_child < LEAF_BIT;
     let test_near = near_passes && near_child >= LEAF_BIT;
     let test_far = far_passes && far_child >= LEAF_BIT;
-    return Walk(
+    return Traversal(
         select(select(NO_ROOT, far_child, enter_far), near_child, enter_near),
         index,
         node.parent,
@@ -51,56 +51,56 @@ fn look_at(query: Query, index: u32, below: u32, t: f32) -> Walk {
 }
 
 // From `root`; nowhere, if that is NO_ROOT. See package::passes::trace::traverse.
-fn walk(query: Query, root: u32, enough: f32) -> Hit {
+fn traverse_nodes(query: Query, root: u32, enough: f32) -> Hit {
     var hit = Hit(query.t_max, NO_HIT, 0u, 0.0, 0.0, 0u);
     var stack: array<u32, STACK_SIZE>;
     // Entries pushed and not popped, and how many of them, from the oldest, were forgotten.
     var top = 0u;
     var bottom = 0u;
-    var walking = root != NO_ROOT;
-    var walk = Walk(root, NO_ROOT, NO_ROOT, NO_ROOT, NO_ROOT, NO_ROOT);
-    if walking && root >= LEAF_BIT {
-        walk.first_leaf = root;
-        walk.next = NO_ROOT;
+    var traversing = root != NO_ROOT;
+    var traversal = Traversal(root, NO_ROOT, NO_ROOT, NO_ROOT, NO_ROOT, NO_ROOT);
+    if traversing && root >= LEAF_BIT {
+        traversal.first_leaf = root;
+        traversal.next = NO_ROOT;
     }
     loop {
         var visits = 0u;
         loop {
             visits += 1u;
-            if walking && walk.first_leaf == NO_ROOT {
+            if traversing && traversal.first_leaf == NO_ROOT {
                 var below = NO_ROOT;
-                if walk.next == NO_ROOT {
+                if traversal.next == NO_ROOT {
                     if top != bottom {
                         top -= 1u;
-                        walk.next = stack[top % STACK_SIZE];
+                        traversal.next = stack[top % STACK_SIZE];
                     } else if bottom != 0u {
-                        below = walk.last;
-                        walk.next = walk.parent;
+                        below = traversal.last;
+                        traversal.next = traversal.parent;
                     }
                 }
-                walking = walk.next != NO_ROOT && hit.steps < MAX_STEPS;
-                if walking {
+                traversing = traversal.next != NO_ROOT && hit.steps < MAX_STEPS;
+                if traversing {
                     hit.steps += 1u;
-                    walk = look_at(query, walk.next, below, hit.t);
-                    if walk.later != NO_ROOT {
-                        stack[top % STACK_SIZE] = walk.later;
+                    traversal = visit_node(query, traversal.next, below, hit.t);
+                    if traversal.later != NO_ROOT {
+                        stack[top % STACK_SIZE] = traversal.later;
                         top += 1u;
                         bottom = max(bottom, max(top, STACK_SIZE) - STACK_SIZE);
                     }
                 }
             }
             continuing {
-                break if visits == VISITS_PER_LEAF || !walking || walk.first_leaf != NO_ROOT;
+                break if visits == VISITS_PER_LEAF || !traversing || traversal.first_leaf != NO_ROOT;
             }
         }
-        if walk.first_leaf != NO_ROOT {
-            test_leaf(query, walk.first_leaf & ~LEAF_BIT, &hit);
-            walk.first_leaf = walk.second_leaf;
-            walk.second_leaf = NO_ROOT;
-            walking = hit.t >= enough;
+        if traversal.first_leaf != NO_ROOT {
+            test_leaf(query, traversal.first_leaf & ~LEAF_BIT, &hit);
+            traversal.first_leaf = traversal.second_leaf;
+            traversal.second_leaf = NO_ROOT;
+            traversing = hit.t >= enough;
         }
         continuing {
-            break if !walking;
+            break if !traversing;
         }
     }
     return hit;

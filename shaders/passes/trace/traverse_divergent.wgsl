@@ -1,4 +1,4 @@
-// A walk for devices whose lanes take turns at branches: nodes in an inner loop, leaves and the way up apart.
+// Traversal for devices whose lanes take turns at branches (GPUs): nodes in an inner loop, leaves and the way up apart.
 
 import package::gen::{Hit, LEAF_BIT, MAX_STEPS, NO_HIT, NO_ROOT};
 import package::lib::intersect::{Query};
@@ -7,7 +7,7 @@ import package::passes::trace::children::{child_intervals, interval_passes};
 import package::passes::trace::leaf::{test_leaf};
 import package::passes::trace::scene::{load_node};
 
-// The next node of the walk after everything below `last`, or NO_ROOT.
+// The next node after everything below `last`, or NO_ROOT.
 fn climb(query: Query, last: u32, hit: ptr<function, Hit>) -> u32 {
     var child = last;
     while (*hit).steps < MAX_STEPS {
@@ -32,7 +32,7 @@ fn climb(query: Query, last: u32, hit: ptr<function, Hit>) -> u32 {
     return NO_ROOT;
 }
 
-// What is to do after a look at a node's children; NO_ROOT where there is nothing.
+// What is to be done after a visit of a node; NO_ROOT where there is nothing.
 struct Visit {
     // The node to visit next.
     next: u32,
@@ -66,7 +66,7 @@ fn visit_node(query: Query, index: u32, t: f32) -> Visit {
 }
 
 // From `root`; nowhere, if that is NO_ROOT. See package::passes::trace::traverse.
-fn walk(query: Query, root: u32, enough: f32) -> Hit {
+fn traverse_nodes(query: Query, root: u32, enough: f32) -> Hit {
     var hit = Hit(query.t_max, NO_HIT, 0u, 0.0, 0.0, 0u);
     var stack: array<u32, STACK_SIZE>;
     // Entries pushed and not popped, and how many of them, from the oldest, were forgotten.
@@ -74,11 +74,11 @@ fn walk(query: Query, root: u32, enough: f32) -> Hit {
     var bottom = 0u;
     var last = root;
     var visit = Visit(root, NO_ROOT, NO_ROOT, NO_ROOT);
-    var walking = root != NO_ROOT;
-    if walking && root >= LEAF_BIT {
+    var traversing = root != NO_ROOT;
+    if traversing && root >= LEAF_BIT {
         visit = Visit(NO_ROOT, NO_ROOT, root, NO_ROOT);
     }
-    while walking && hit.steps < MAX_STEPS {
+    while traversing && hit.steps < MAX_STEPS {
         for (var i = 0u; i < VISITS_PER_LEAF && visit.first_leaf == NO_ROOT; i += 1u) {
             if visit.next == NO_ROOT {
                 if top != bottom {
@@ -88,7 +88,7 @@ fn walk(query: Query, root: u32, enough: f32) -> Hit {
                     visit.next = climb(query, last, &hit);
                 }
                 if visit.next == NO_ROOT {
-                    walking = false;
+                    traversing = false;
                     break;
                 }
             }
@@ -105,7 +105,7 @@ fn walk(query: Query, root: u32, enough: f32) -> Hit {
             test_leaf(query, visit.first_leaf & ~LEAF_BIT, &hit);
             visit.first_leaf = visit.second_leaf;
             visit.second_leaf = NO_ROOT;
-            walking = hit.t >= enough;
+            traversing = hit.t >= enough;
         }
     }
     return hit;

@@ -4,10 +4,19 @@
 //! boxes. So every pass reads only what earlier dispatches wrote, which is all the order that WGSL promises between
 //! workgroups.
 
-use super::{Binding, Makes, Pass, Recording, Size, clear, sort};
+use super::plan::{Plan, PutBuffer};
+use super::pyramid::{levels, pyramid_boxes};
+use crate::cpu::tree_check::{TreeFault, TreeMeasure, measure};
+use crate::cpu::{self, morton};
 use crate::layout::tree::{
     BOUNDS_PER_THREAD, BOUNDS_WORDS, BuildParams, LeafBox, Node, PYRAMID_LEVELS, PyramidParams, Triangle, node_count,
+    root,
 };
+use crate::passes::twin::twin;
+use crate::passes::{Binding, Makes, Pass, Recording, Size, clear, sort};
+
+/// This builder.
+pub static PLAN: Plan = Plan { most_triangles: MOST_TRIANGLES, buffers, record: record_triangles, root, twin, cost };
 
 /// The box of all triangles and that of their centroids, joined to what `centroid_bounds` holds: clear it to 0 before.
 pub static BOUNDS: Pass = Pass {
@@ -19,7 +28,8 @@ pub static BOUNDS: Pass = Pass {
         Binding::write("centroid_bounds", "array<atomic<u32>>"),
         Binding::params("BuildParams"),
     ],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(morton::bounds),
 };
 
 /// A Morton code and an index for each triangle.
@@ -34,7 +44,8 @@ pub static MORTON: Pass = Pass {
         Binding::write("payload", "array<u32>"),
         Binding::params("BuildParams"),
     ],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(morton::codes),
 };
 
 /// Triangles in the order of their codes, and their boxes.
@@ -51,7 +62,8 @@ pub static LEAVES: Pass = Pass {
         Binding::write("boxes", "array<LeafBox>"),
         Binding::params("BuildParams"),
     ],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(tree::leaves),
 };
 
 /// [`PYRAMID_LEVELS`] levels of the pyramid above one that is there: an item is a box of the first of them.
@@ -60,7 +72,8 @@ pub static PYRAMID: Pass = Pass {
     module: "passes/tree/pyramid",
     entry: "build_levels",
     bindings: &[Binding::write("boxes", "array<LeafBox>"), Binding::params("PyramidParams")],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(tree::pyramid),
 };
 
 /// The nodes of the tree.
@@ -76,25 +89,29 @@ pub static NODES: Pass = Pass {
         Binding::write("nodes", "array<Node>"),
         Binding::params("BuildParams"),
     ],
-    makes: Makes::Tree,
+    makes: &[Makes::Tree],
+    twin: twin!(tree::nodes),
 };
 
-/// Most triangles that a tree can be built over: twice as many must still be an i32, above that LEAF_BIT is needed.
-pub const MOST_TRIANGLES: u32 = 1 << 29;
+/// Twice as many triangles must still be an i32; above that, `LEAF_BIT` is needed.
+const MOST_TRIANGLES: u32 = 1 << 29;
 
 /// Threads of a workgroup of the bounds pass.
 const BOUNDS_GROUP: u32 = 256;
 
-/// Boxes of the pyramid over `n` leaves, level 0 included.
-pub fn pyramid_boxes(n: u32) -> u32 {
-    levels(n).map(|(_, count)| count).sum()
+/// Builds on the CPU.
+fn twin(triangles: &[Triangle], put: &mut PutBuffer<'_>) {
+    let tree = cpu::tree::build(triangles);
+    put("leaves", bytemuck::cast_slice(&tree.leaves));
+    put("nodes", bytemuck::cast_slice(&tree.nodes));
 }
 
-/// First box and number of boxes of each level of the pyramid over `n` leaves, from the leaves up.
-pub fn levels(n: u32) -> impl Iterator<Item = (u32, u32)> {
-    std::iter::successors((n > 0).then_some((0, n)), |&(start, count)| {
-        (count > 1).then_some((start + count, count / 2))
-    })
+fn cost(leaves: &[u8], nodes: &[u8]) -> Result<TreeMeasure, TreeFault> {
+    measure(&bytemuck::pod_collect_to_vec::<u8, Triangle>(leaves), &bytemuck::pod_collect_to_vec::<u8, Node>(nodes))
+}
+
+fn record_triangles(recording: &mut Recording, triangles: &[Triangle]) {
+    record(recording, triangles.len() as u32, morton::core_of(triangles));
 }
 
 /// The buffers that building over `n` triangles needs beside `triangles` itself, with their bytes; the sort's too.
