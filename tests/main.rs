@@ -19,6 +19,7 @@ mod fuzz;
 mod glass;
 mod intersect;
 mod judge;
+mod keys;
 mod layering;
 mod layout;
 mod libraries;

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 
 use super::diagnostic::{Diagnostic, Severity};
+use super::keys::{KEYS, Key, Range, Value};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::suggest::known_names;
 use crate::components::{Camera, Crop, Energy, Film, Integrator, Material, Render, Sampler};
@@ -61,41 +62,49 @@ pub struct MaterialEntry {
 }
 
 /// The numbers of a material that a scene file changes.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct MaterialEdit {
-    kd: Option<Vec3>,
-    ks: Option<Vec3>,
-    ns: Option<f32>,
-    pr: Option<f32>,
-    pm: Option<f32>,
-    ke: Option<Vec3>,
-    one_sided: Option<bool>,
-    ni: Option<f32>,
-    d: Option<f32>,
-    tf: Option<Vec3>,
-    illum: Option<u32>,
+    /// Those that are given, and no other of `numbers`.
+    given: Vec<&'static Key>,
+    numbers: Material,
 }
 
 impl MaterialEdit {
     /// Whether it gives an `illum` of glass.
     pub fn asks_for_glass(&self) -> bool {
-        self.illum.is_some_and(|illum| Material { illum, ..Material::default() }.asks_for_glass())
+        self.gives("illum") && self.numbers.asks_for_glass()
     }
 
     /// Writes the given numbers over a material's.
     pub fn apply(&self, material: &mut Material) {
-        let set = |to: &mut Vec3, from: Option<Vec3>| *to = from.unwrap_or(*to);
-        set(&mut material.kd, self.kd);
-        set(&mut material.ks, self.ks);
-        set(&mut material.emission, self.ke);
-        set(&mut material.tf, self.tf);
-        material.ns = self.ns.unwrap_or(material.ns);
-        material.roughness = self.pr.or(material.roughness);
-        material.metallic = self.pm.unwrap_or(material.metallic);
-        material.ni = self.ni.unwrap_or(material.ni);
-        material.dissolve = self.d.unwrap_or(material.dissolve);
-        material.one_sided = self.one_sided.unwrap_or(material.one_sided);
-        material.illum = self.illum.unwrap_or(material.illum);
+        self.given.iter().for_each(|key| key.copy(&self.numbers, material));
+    }
+
+    fn gives(&self, field: &str) -> bool {
+        self.given.iter().any(|key| key.scene == field)
+    }
+
+    /// Reads the field of a key, where it is there and right.
+    fn read(&mut self, key: &'static Key, fields: &Fields) {
+        let numbers = &mut self.numbers;
+        let between =
+            |node: &Node, range: Range| node.number(range.least.into(), range.most.into()).map(|value| value as f32);
+        let found = match key.value {
+            Value::Colour(colour, at) => fields
+                .read(key.scene, |node| node.colour(colour.most_in_scene().into()))
+                .map(|value| *at(numbers) = value),
+            Value::Number(range, at) => {
+                fields.read(key.scene, |node| between(node, range)).map(|value| *at(numbers) = value)
+            }
+            Value::Optional(range, at) => {
+                fields.read(key.scene, |node| between(node, range)).map(|value| *at(numbers) = Some(value))
+            }
+            Value::Switch(at) => fields.read(key.scene, Node::boolean).map(|value| *at(numbers) = value),
+            Value::Whole(most, at) => {
+                fields.read(key.scene, |node| node.integer(0, most)).map(|value| *at(numbers) = value)
+            }
+        };
+        self.given.extend(found.map(|()| key));
     }
 }
 
@@ -326,20 +335,9 @@ fn read_map_environment(reader: &Reader, node: &Node) -> Option<EnvironmentEntry
 /// `(kd: (..), ks: (..), ns: 64, ke: (..), ..)`, all optional.
 fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<MaterialEdit> {
     let fields = Fields::open(reader, node, path)?;
-    let edit = MaterialEdit {
-        kd: fields.read("kd", |node| node.colour(1e3)),
-        ks: fields.read("ks", |node| node.colour(1e3)),
-        ns: fields.read("ns", |node| node.number(0.0, 1e5)).map(|value| value as f32),
-        pr: fields.read("pr", |node| node.number(0.0, 1.0)).map(|value| value as f32),
-        pm: fields.read("pm", |node| node.number(0.0, 1.0)).map(|value| value as f32),
-        ke: fields.read("ke", |node| node.colour(1e6)),
-        one_sided: fields.read("one_sided", Node::boolean),
-        ni: fields.read("ni", |node| node.number(1.0, 100.0)).map(|value| value as f32),
-        d: fields.read("d", |node| node.number(0.0, 1.0)).map(|value| value as f32),
-        tf: fields.read("tf", |node| node.colour(1.0)),
-        illum: fields.read("illum", |node| node.integer(0, 10)),
-    };
-    if let Some(node) = fields.get("illum").filter(|_| edit.illum == Some(10)) {
+    let mut edit = MaterialEdit::default();
+    KEYS.iter().for_each(|key| edit.read(key, &fields));
+    if let Some(node) = fields.get("illum").filter(|_| edit.gives("illum") && edit.numbers.illum == 10) {
         let message = format!("{}: a shadow catcher is rendered as a surface for now", fields.path_of("illum"));
         reader.push(node.text.at(Severity::Warning, node.source, message));
     }

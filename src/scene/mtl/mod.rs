@@ -1,13 +1,11 @@
 //! Materials of MTL files. Every line that is not honoured is a warning at its place.
 //!
+//! Statements that are keys are read by their table ([`keys`](super::keys)). Beside them:
+//!
 //! | statement | becomes |
 //! |---|---|
-//! | `Kd`, `Ks` | reflectance of both lobes; one value is grey, and the `energy` policy of the scene bounds their sum |
-//! | `Ns` | exponent of the Phong lobe, at most 1e5 |
-//! | `Pr`, `Pm` | roughness and metalness |
-//! | `Ke`, `Le` | emission; `Le` is what the Cornell box family of files writes in materials named `*_light` |
-//! | `d` | opacity; `Tr` counts as 1 - d, and only without `d`: exporters write it both ways round |
-//! | `Ni`, `Tf`, `illum` | kept: [`Material::passage`] says what they come to |
+//! | `Le` | `Ke`: what the Cornell box family of files writes in materials named `*_light` |
+//! | `Tr` | counts as 1 - `d`, and only without `d`: exporters write it both ways round |
 //! | `map_Kd`, `map_Ks`, `map_Ns`, `map_Ke`, `map_d`, `map_Bump`/`bump` | paths, kept |
 //!
 //! What one exporter writes on all its materials is judged once the whole library is read: [`exporter`].
