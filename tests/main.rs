@@ -40,6 +40,7 @@ mod rooms;
 mod sampler;
 mod save;
 mod scene;
+mod settings;
 mod setup;
 mod shader;
 mod shader_depth;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use glam::UVec2;
 
 use super::bench::light::{self, LightArguments};
@@ -10,9 +10,10 @@ use super::compare::CompareArguments;
 use super::judge::JudgeArguments;
 use super::scene::SceneFlags;
 use super::{Exit, Failure, bench};
-use crate::components::{Crop, Film, Integrator, Sampler};
+use crate::components::{Crop, Film};
 use crate::gpu::Gpu;
 use crate::image::Output;
+use crate::scene::settings::MOST_STOPS;
 
 /// What ends every help text.
 pub const EXIT_CODES: &str = "\
@@ -166,48 +167,6 @@ pub struct StageArguments {
     pub json: bool,
 }
 
-/// Integrators by their names on the command line.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum IntegratorName {
-    /// Lights are asked directly too, and both ways are weighted together
-    Path,
-    /// Directions from the BSDF alone; light is found by hitting it
-    Bsdf,
-}
-
-impl From<IntegratorName> for Integrator {
-    fn from(name: IntegratorName) -> Self {
-        match name {
-            IntegratorName::Path => Integrator::Path,
-            IntegratorName::Bsdf => Integrator::Bsdf,
-        }
-    }
-}
-
-/// Samplers by their names on the command line.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum SamplerName {
-    /// Evenly spread points: a scrambled (0, 4)-sequence
-    Sobol,
-    /// Independent numbers
-    Pcg,
-}
-
-impl From<SamplerName> for Sampler {
-    fn from(name: SamplerName) -> Self {
-        match name {
-            SamplerName::Sobol => Sampler::Sobol,
-            SamplerName::Pcg => Sampler::Pcg,
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Switch {
-    On,
-    Off,
-}
-
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(seconds) if seconds > 0.0 && seconds <= 1e7 => Ok(seconds),
@@ -218,8 +177,8 @@ pub(super) fn seconds(text: &str) -> Result<f64, String> {
 /// An exposure.
 pub fn stops(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
-        Ok(stops) if stops.abs() <= 64.0 => Ok(stops),
-        _ => Err("expected a number from -64 to 64".into()),
+        Ok(stops) if stops.abs() <= MOST_STOPS => Ok(stops),
+        _ => Err(format!("expected a number from -{MOST_STOPS} to {MOST_STOPS}")),
     }
 }
 

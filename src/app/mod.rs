@@ -16,6 +16,7 @@ mod output;
 mod progress;
 mod report;
 mod scene;
+mod settings;
 mod stage;
 mod watch;
 pub mod window;

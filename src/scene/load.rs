@@ -115,8 +115,8 @@ impl Loader {
             materials,
             cameras,
             active,
-            film: file.film,
-            render: file.render,
+            film: file.settings.film,
+            render: file.settings.render,
             environment,
         };
         self.warn_of_unseen(&description, &models, scene);
@@ -333,7 +333,7 @@ fn default_camera(meshes: &BTreeMap<String, MeshEntry>, file: &SceneFile) -> BTr
     let (centre, radius) =
         if empty { (DVec3::ZERO, 1.0) } else { ((min + max) / 2.0, ((max - min).length() / 2.0).max(1e-9)) };
     let fov_y = 40.0_f64;
-    let aspect = f64::from(file.film.size.x) / f64::from(file.film.size.y);
+    let aspect = f64::from(file.settings.film.size.x) / f64::from(file.settings.film.size.y);
     let half = (fov_y.to_radians() / 2.0).tan() * aspect.min(1.0);
     let distance = radius / half.atan().sin();
     let position = centre + DVec3::new(0.4, 0.3, 1.0).normalize() * distance;

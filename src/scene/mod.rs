@@ -20,6 +20,7 @@ mod locate;
 mod mtl;
 mod obj;
 mod ron;
+pub mod settings;
 mod sky;
 mod suggest;
 mod text;
