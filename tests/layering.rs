@@ -72,12 +72,13 @@ fn modules_know_only_what_is_below_them() {
         "layout",
         "oracle",
         "passes",
+        "prepare",
         "scene",
         "shader",
         "stats",
         "systems",
     ];
-    let below: [(&str, &[&str]); 12] = [
+    let below: [(&str, &[&str]); 13] = [
         ("components", &[]),
         ("image", &["components", "files"]),
         ("layout", &[]),
@@ -85,11 +86,12 @@ fn modules_know_only_what_is_below_them() {
         ("scene", &["components", "files", "image"]),
         ("shader", &["files", "layout"]),
         ("passes", &["layout"]),
+        ("prepare", &["components", "layout"]),
         ("stats", &[]),
         ("oracle", &["components"]),
         ("cpu", &["image", "layout", "stats"]),
         ("gpu", &["layout", "shader", "passes"]),
-        ("systems", &["components", "cpu", "files", "gpu", "layout", "passes", "scene", "shader"]),
+        ("systems", &["components", "cpu", "files", "gpu", "layout", "passes", "prepare", "scene", "shader"]),
     ];
     for (module, allowed) in below {
         for path in sources(&Path::new("src").join(module)) {

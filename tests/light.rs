@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use glam::{DVec3, UVec2, Vec3};
+use lucerna::components::Camera;
 use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, SAMPLE_BAD, TraceParams};
-use lucerna::passes::trace::View;
+use lucerna::prepare::camera;
 
 use crate::path::samples;
 use crate::rooms::{Room, matte};
@@ -56,8 +57,8 @@ impl Lamp {
 /// The mean radiance that leaves the point the camera sees, and its standard error.
 fn seen(room: &Room, layers: u32) -> (f64, f64) {
     let mut params = TraceParams { layers, max_depth: 2, ..room.params(UVec2::splat(16)) };
-    let view = View { position: DVec3::new(0.4, 0.5, 0.7), look_at: SEEN, up: DVec3::Y, fov_y: 1e-4 };
-    params.aim(&view, UVec2::splat(16), DVec3::ZERO);
+    let view = Camera { position: DVec3::new(0.4, 0.5, 0.7), look_at: SEEN, up: DVec3::Y, fov_y: 1e-4 };
+    camera::aim(&mut params, &view, UVec2::splat(16), DVec3::ZERO);
     let mut rig = support::rig();
     room.load(&mut rig);
     let got = samples(&mut rig, &params);

@@ -35,6 +35,7 @@ mod passes;
 mod path;
 mod pictures;
 mod player;
+mod prepare;
 mod reload;
 mod rooms;
 mod sampler;

@@ -1,6 +1,7 @@
 //! Small scenes for the tests of light transport.
 
 use glam::{DVec3, UVec2, Vec3};
+use lucerna::components::{Camera, Crop};
 use lucerna::cpu::path::PathScene;
 use lucerna::cpu::rng::Source;
 use lucerna::cpu::tree;
@@ -11,7 +12,9 @@ use lucerna::layout::sky::SkyTable;
 use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, Shading, TraceParams};
 use lucerna::layout::tree::{Triangle, root};
 use lucerna::passes::Recording;
-use lucerna::passes::trace::{self, Lighting, View};
+use lucerna::passes::trace;
+use lucerna::prepare::camera;
+use lucerna::prepare::lighting::Lighting;
 
 /// A scene as the trace kernel gets it.
 #[derive(Clone, Default)]
@@ -148,10 +151,10 @@ impl Room {
             seed: 1,
             ..TraceParams::default()
         };
-        let view = View { position: DVec3::new(0.1, 0.05, 3.2), look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 42.0 };
-        params.aim(&view, size, DVec3::ZERO);
-        params.crop(UVec2::ZERO, size);
-        params.fit_film(self.exponent());
+        let view = Camera { position: DVec3::new(0.1, 0.05, 3.2), look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 42.0 };
+        camera::aim(&mut params, &view, size, DVec3::ZERO);
+        camera::crop(&mut params, Crop { min: UVec2::ZERO, max: size });
+        camera::fit_film(&mut params, self.exponent());
         let table = self.lights();
         let lighting = Lighting {
             lights: table.lights.len() as u32,
@@ -159,7 +162,7 @@ impl Room {
             sky: self.sky.as_ref().map_or(UVec2::ZERO, |sky| sky.size),
             sky_power: self.sky_power(),
         };
-        params.light(&lighting, 1.0);
+        lighting.write(&mut params, 1.0);
         params
     }
 

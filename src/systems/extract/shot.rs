@@ -13,7 +13,9 @@ use crate::layout::film::film_exponent;
 use crate::layout::light::LightRecord;
 use crate::layout::trace::{MaterialRecord, TraceParams};
 use crate::layout::tree::{Triangle, root};
-use crate::passes::trace::{Lighting, Needs, View, largest_emission};
+use crate::passes::trace::{Needs, largest_emission};
+use crate::prepare::camera;
+use crate::prepare::lighting::Lighting;
 use crate::systems::error::EngineError;
 use crate::systems::resources::{Everything, Exposure, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target};
 use crate::systems::run::counted;
@@ -136,17 +138,16 @@ fn shoot(
         root: root(packed.triangles.len() as u32),
         ..Default::default()
     };
-    let view = View { position: camera.position, look_at: camera.look_at, up: camera.up, fov_y: camera.fov_y };
-    params.aim(&view, film.size, geometry.origin);
-    params.crop(window.min, window.max);
-    params.fit_film(exponent);
+    camera::aim(&mut params, camera, film.size, geometry.origin);
+    camera::crop(&mut params, window);
+    camera::fit_film(&mut params, exponent);
     let lighting = Lighting {
         lights: packed.lights.len() as u32,
         light_density: packed.density.0,
         sky: sky.size,
         sky_power: if render.integrator == Integrator::Path { sky.power } else { 0.0 },
     };
-    params.light(&lighting, 0.5 * (geometry.high - geometry.low).length());
+    lighting.write(&mut params, 0.5 * (geometry.high - geometry.low).length());
     let needs = Needs {
         materials: packed.records.rows(),
         environment,

@@ -1,0 +1,4 @@
+//! Components to the records and parameters that the device reads: pure functions, which know components and layout alone.
+
+pub mod camera;
+pub mod lighting;
