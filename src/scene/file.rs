@@ -6,10 +6,11 @@ use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 
 use super::diagnostic::{Diagnostic, Severity};
 use super::keys::{self, KEYS, Key, Range};
+use super::mtl::MtlMaterial;
 use super::ron::{Fields, Kind, Node, Reader};
 use super::settings::{Group, SETTINGS, Settings, Value};
 use super::suggest::known_names;
-use crate::components::{Camera, Crop, Film, Material};
+use crate::components::{Camera, Crop, Film};
 
 /// The camera of scenes that have none.
 pub const DEFAULT_CAMERA: &str = "default";
@@ -66,7 +67,7 @@ pub struct MaterialEntry {
 pub struct MaterialEdit {
     /// Those that are given, and no other of `numbers`.
     given: Vec<&'static Key>,
-    numbers: Material,
+    numbers: MtlMaterial,
 }
 
 impl MaterialEdit {
@@ -76,7 +77,7 @@ impl MaterialEdit {
     }
 
     /// Writes the given numbers over a material's.
-    pub fn apply(&self, material: &mut Material) {
+    pub fn apply(&self, material: &mut MtlMaterial) {
         self.given.iter().for_each(|key| key.copy(&self.numbers, material));
     }
 

@@ -7,8 +7,8 @@ use std::ops::RangeInclusive;
 
 use glam::Vec3;
 
+use super::mtl::MtlMaterial;
 use super::suggest::did_you_mean;
-use crate::components::Material;
 
 /// One number of a material.
 #[derive(Debug)]
@@ -23,7 +23,7 @@ pub struct Key {
 }
 
 /// Where a material has a number: to read it, and to write it.
-pub type Place<T> = fn(&mut Material) -> &mut T;
+pub type Place<T> = fn(&mut MtlMaterial) -> &mut T;
 
 /// What values a key has, and their place.
 #[derive(Debug)]
@@ -87,19 +87,19 @@ pub static KEYS: &[Key] = &[
     Key {
         mtl: Some("Pr"),
         scene: "pr",
-        value: Value::Optional(UNIT, |m| &mut m.roughness),
+        value: Value::Optional(UNIT, |m| &mut m.pr),
         doc: "roughness: the specular lobe is GGX instead",
     },
     Key {
         mtl: Some("Pm"),
         scene: "pm",
-        value: Value::Number(UNIT, |m| &mut m.metallic),
+        value: Value::Number(UNIT, |m| &mut m.pm),
         doc: "metalness: this part of `Kd` moves to the specular lobe",
     },
     Key {
         mtl: Some("Ke"),
         scene: "ke",
-        value: Value::Colour(Colour::Radiance, |m| &mut m.emission),
+        value: Value::Colour(Colour::Radiance, |m| &mut m.ke),
         doc: "emitted radiance, on both sides",
     },
     Key {
@@ -114,7 +114,7 @@ pub static KEYS: &[Key] = &[
         value: Value::Number(INDEX, |m| &mut m.ni),
         doc: "index of refraction of glass; `Ni` alone makes none",
     },
-    Key { mtl: Some("d"), scene: "d", value: Value::Number(UNIT, |m| &mut m.dissolve), doc: "opacity" },
+    Key { mtl: Some("d"), scene: "d", value: Value::Number(UNIT, |m| &mut m.d), doc: "opacity" },
     Key {
         mtl: Some("Tf"),
         scene: "tf",
@@ -141,8 +141,8 @@ impl Key {
     }
 
     /// Writes one material's value over another's.
-    pub fn copy(&self, from: &Material, to: &mut Material) {
-        fn copy<T: Copy>(at: Place<T>, from: &mut Material, to: &mut Material) {
+    pub fn copy(&self, from: &MtlMaterial, to: &mut MtlMaterial) {
+        fn copy<T: Copy>(at: Place<T>, from: &mut MtlMaterial, to: &mut MtlMaterial) {
             *at(to) = *at(from);
         }
         let from = &mut from.clone();

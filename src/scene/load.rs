@@ -10,13 +10,14 @@ use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::file::{DEFAULT_CAMERA, EnvironmentEntry, MaterialEntry, ModelEntry, SceneFile, read_scene};
 use super::kind::Kind;
 use super::locate::{as_written, file_names};
+use super::mtl::MtlMaterial;
 use super::obj::{Model, read_obj};
 use super::ron::{Reader, apply_defines, define_texts, parse};
 use super::sky::read_sky;
 use super::suggest::{did_you_mean, known_names};
 use super::text::{Text, missing};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
-use crate::components::{Camera, Environment, Film, Material, MeshData, Passage, Render, Transform};
+use crate::components::{Camera, Environment, Film, MeshData, Render, Transform};
 
 /// Bytes that a scene file may have.
 const SCENE_LIMIT: u64 = 4 << 20;
@@ -32,7 +33,7 @@ pub struct SceneDescription {
     /// By `model/object/part`.
     pub meshes: BTreeMap<String, MeshEntry>,
     /// By `model:material`.
-    pub materials: BTreeMap<String, Material>,
+    pub materials: BTreeMap<String, MtlMaterial>,
     /// By the name in the scene file; never empty.
     pub cameras: BTreeMap<String, Camera>,
     /// The camera that is rendered, a key of `cameras`.
@@ -196,7 +197,7 @@ impl Loader {
         entry: &ModelEntry,
         names: &mut BTreeMap<String, u32>,
         meshes: &mut BTreeMap<String, MeshEntry>,
-        materials: &mut BTreeMap<String, Material>,
+        materials: &mut BTreeMap<String, MtlMaterial>,
     ) -> Option<String> {
         let path = self.find_model(folder, entry)?;
         if !self.models.contains_key(&path) {
@@ -261,14 +262,14 @@ impl Loader {
     }
 
     /// Applies one entry of the scene file's `materials`: to a full key, or to every model's material of that name.
-    fn edit_materials(&mut self, entry: &MaterialEntry, materials: &mut BTreeMap<String, Material>) {
+    fn edit_materials(&mut self, entry: &MaterialEntry, materials: &mut BTreeMap<String, MtlMaterial>) {
         let mut found = false;
         for (key, material) in materials.iter_mut() {
             if *key == entry.name || bare(key) == entry.name {
                 let glass = entry.edit.asks_for_glass();
                 entry.edit.apply(material);
                 found = true;
-                if glass && material.passage() != Passage::Glass {
+                if glass && !material.is_glass() {
                     let (illum, look) = (material.illum, material.appearance().kind);
                     let message = format!("`illum {illum}` alone makes no glass of `{key}`, which is {look}");
                     let warning = Diagnostic { message, severity: Severity::Warning, ..entry.place.clone() };

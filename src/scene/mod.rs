@@ -34,5 +34,6 @@ pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use find::{find, names};
 pub use keys::{Colour, KEYS, Key, Range, Value};
 pub use load::{Loaded, MeshEntry, SceneDescription, attempt, load};
+pub use mtl::{Appearance, MtlMaterial, TextureMaps};
 pub use triangulate::triangulate;
 pub use unseen::unseen_by;

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::diagnostic::{Diagnostic, Severity};
 use super::load::{MeshEntry, SceneDescription, corners};
-use crate::components::{Camera, Material, MeshData};
+use crate::components::{Camera, MeshData};
 
 /// Triangles whose height is less than this part of their longest side have no area: their corners, of 53 bits, lie on a line.
 const FLAT: f64 = 1e-15;
@@ -70,7 +70,7 @@ fn model_of(mesh: &str) -> &str {
 }
 
 fn is_hidden(description: &SceneDescription, mesh: &MeshEntry) -> bool {
-    description.materials.get(&mesh.material).is_some_and(Material::is_invisible)
+    description.materials.get(&mesh.material).is_some_and(|material| material.material().is_invisible())
 }
 
 /// Whether no triangle has an area.

@@ -7,8 +7,8 @@ use glam::Vec3;
 
 use super::exporter::Habits;
 use super::maps;
+use super::material::{MtlMaterial, TextureMaps};
 use super::values::{colour, reflectance, scalar, whole};
-use crate::components::{Material, Passage, TextureMaps};
 use crate::scene::diagnostic::{Diagnostic, Tally};
 use crate::scene::keys::{Colour, Key, Value, suggest_statement};
 use crate::scene::lines::Line;
@@ -42,7 +42,7 @@ pub struct Draft {
     name: String,
     place: Diagnostic,
     /// What keys were given, over the default; and the place of each, by its name in scene files.
-    given: Material,
+    given: MtlMaterial,
     places: BTreeMap<&'static str, Diagnostic>,
     le: Option<(Vec3, Diagnostic)>,
     tr: Option<(f32, Diagnostic)>,
@@ -56,7 +56,7 @@ impl Draft {
         Self {
             name: name.to_owned(),
             place: line.warning(key, ""),
-            given: Material::default(),
+            given: MtlMaterial::default(),
             places: BTreeMap::new(),
             le: None,
             tr: None,
@@ -136,7 +136,7 @@ impl Draft {
             "map_ks" => &mut self.given.maps.ks,
             "map_ns" => &mut self.given.maps.ns,
             "map_ke" => &mut self.given.maps.ke,
-            "map_d" => &mut self.given.maps.dissolve,
+            "map_d" => &mut self.given.maps.d,
             _ => &mut self.given.maps.bump,
         };
         *slot = Some(path);
@@ -159,12 +159,12 @@ impl Draft {
     }
 
     /// The material these statements describe: what was given, but for what statements say together.
-    pub fn material(&self, habits: Habits) -> Material {
+    pub fn material(&self, habits: Habits) -> MtlMaterial {
         let constant = habits.glass_is_constant && self.given.asks_for_glass();
-        Material {
+        MtlMaterial {
             kd: if self.place("kd").is_some() { self.given.kd } else { self.missing_kd() },
-            emission: self.emission(),
-            dissolve: self.dissolve(habits),
+            ke: self.emission(),
+            d: self.dissolve(habits),
             illum: if constant { HIGHLIGHTS } else { self.given.illum },
             ..self.given.clone()
         }
@@ -175,14 +175,14 @@ impl Draft {
         match &self.given.maps.kd {
             // What a map is multiplied by.
             Some(_) => Vec3::ONE,
-            None if self.is_bare() => Material::default().kd,
+            None if self.is_bare() => MtlMaterial::default().kd,
             None => Vec3::ZERO,
         }
     }
 
     /// Warns of what can't be rendered as written; `material` is what it came to.
-    pub fn warn_of(&self, material: &Material, habits: Habits, tally: &mut Tally) {
-        let glass = material.passage() == Passage::Glass;
+    pub fn warn_of(&self, material: &MtlMaterial, habits: Habits, tally: &mut Tally) {
+        let glass = material.is_glass();
         if self.is_bare() && !glass && self.given.maps == TextureMaps::default() {
             self.warn(
                 tally,
@@ -208,7 +208,7 @@ impl Draft {
 
     /// `Ke` and `Le`, 0 where they are not given; the one that counts first.
     fn glows(&self) -> (Vec3, Vec3) {
-        let (ke, le) = (self.given.emission, self.le.as_ref().map_or(Vec3::ZERO, |(colour, _)| *colour));
+        let (ke, le) = (self.given.ke, self.le.as_ref().map_or(Vec3::ZERO, |(colour, _)| *colour));
         if self.is_named_light() { (le, ke) } else { (ke, le) }
     }
 
@@ -241,7 +241,7 @@ impl Draft {
 
     /// `d`, where it is given.
     fn given_dissolve(&self) -> Option<f32> {
-        self.place("d").map(|_| self.given.dissolve)
+        self.place("d").map(|_| self.given.d)
     }
 
     /// `d`, else 1 - `Tr`, else opaque. Where `Tr` is opacity, one of 0 was not meant to hide the material.

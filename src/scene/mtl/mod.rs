@@ -12,9 +12,11 @@
 //!
 //! tobj's own reader panics on `Kd 1` and drops a whole file for one bad line, so this one takes its place.
 
+mod appearance;
 mod draft;
 mod exporter;
 mod maps;
+mod material;
 mod values;
 
 use std::collections::HashMap;
@@ -24,15 +26,17 @@ use std::path::Path;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
 use super::lines::{Line, Lines, unquoted};
 use super::text;
-use crate::components::Material;
 use draft::Draft;
 use exporter::Habits;
+
+pub use appearance::Appearance;
+pub use material::{MtlMaterial, TextureMaps};
 
 /// Bytes that an MTL file may have.
 const LIMIT: u64 = 64 << 20;
 
 /// Materials of one file, in its order, names unique. `None` where the file can't be read; its messages say why.
-pub fn read_mtl(file: &Path, diagnostics: &mut Diagnostics) -> Option<Vec<(String, Material)>> {
+pub fn read_mtl(file: &Path, diagnostics: &mut Diagnostics) -> Option<Vec<(String, MtlMaterial)>> {
     let mut tally = Tally::new(file);
     let materials = match text::open(file, LIMIT) {
         Ok(handle) => read_lines(file, Lines::new(BufReader::new(handle), file), &mut tally),
@@ -50,7 +54,7 @@ fn read_lines(
     file: &Path,
     mut lines: Lines<impl std::io::BufRead>,
     tally: &mut Tally,
-) -> Option<Vec<(String, Material)>> {
+) -> Option<Vec<(String, MtlMaterial)>> {
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut line = Line::default();
     let mut drafts = Drafts::default();
@@ -87,9 +91,9 @@ fn read_lines(
 }
 
 /// What the drafts of a whole library come to.
-fn judge(drafts: &[Draft], tally: &mut Tally) -> Vec<(String, Material)> {
+fn judge(drafts: &[Draft], tally: &mut Tally) -> Vec<(String, MtlMaterial)> {
     let habits = Habits::of(drafts);
-    let materials: Vec<Material> = drafts.iter().map(|draft| draft.material(habits)).collect();
+    let materials: Vec<MtlMaterial> = drafts.iter().map(|draft| draft.material(habits)).collect();
     for (draft, material) in drafts.iter().zip(&materials) {
         draft.warn_of(material, habits, tally);
     }

@@ -18,9 +18,10 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
+use super::mtl::MtlMaterial;
 use super::suggest::known_names;
 use super::text;
-use crate::components::{Material, MeshData};
+use crate::components::MeshData;
 use faces::Group;
 use libraries::Libraries;
 use scanner::{Scanned, Scanner};
@@ -37,7 +38,7 @@ const DEFAULT_MATERIAL: &str = "default";
 #[derive(Clone, Debug)]
 pub struct Model {
     pub parts: Vec<Part>,
-    pub materials: BTreeMap<String, Material>,
+    pub materials: BTreeMap<String, MtlMaterial>,
     /// Least and greatest coordinates, model space.
     pub bounds: (DVec3, DVec3),
 }

@@ -3,7 +3,7 @@
 use bevy_ecs::prelude::*;
 
 use super::Step;
-use crate::components::{Energy, Material, Name, Passage, Specular};
+use crate::components::{Energy, Lobe, Material, Name, Passage};
 use crate::gpu::GpuTable;
 use crate::layout::trace::{EnergyRule, MaterialRecord, Reflector};
 use crate::systems::resources::{Everything, MaterialSlot, Policy};
@@ -59,16 +59,16 @@ fn extract_materials(
 
 fn pack(material: &Material, rule: EnergyRule) -> MaterialRecord {
     let values = Reflector {
-        kd: material.kd,
-        ks: material.ks,
-        ns: material.ns,
-        roughness: material.roughness,
+        kd: material.diffuse,
+        ks: material.specular,
+        ns: if let Lobe::Phong(exponent) = material.lobe { exponent } else { 0.0 },
+        roughness: if let Lobe::Ggx(roughness) = material.lobe { Some(roughness) } else { None },
         metallic: material.metallic,
-        mirror: material.specular() == Specular::Mirror,
-        dielectric: material.passage() == Passage::Glass,
-        ni: material.ni,
-        tf: material.tf,
-        opacity: material.dissolve,
+        mirror: material.lobe == Lobe::Mirror,
+        dielectric: matches!(material.passage, Passage::Glass(_)),
+        ni: if let Passage::Glass(index) = material.passage { index } else { 1.0 },
+        tf: material.filter,
+        opacity: if let Passage::SeeThrough(opacity) = material.passage { opacity } else { 1.0 },
         emission: material.emission,
         one_sided: material.one_sided,
     };

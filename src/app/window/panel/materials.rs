@@ -5,24 +5,28 @@ use egui::{CollapsingHeader, DragValue, RichText, Slider, Ui};
 use glam::Vec3;
 
 use crate::components::{Material, Name};
-use crate::scene::{Colour, KEYS, Key, Range, Value};
+use crate::scene::{Colour, KEYS, Key, MtlMaterial, Range, Value};
 
 /// Colours nearer than this are taken as one.
 const COLOUR_STEP: f32 = 1e-4;
 
 /// All materials by name, that under the pointer marked. Says whether one was written.
 pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>) -> bool {
-    let mut query = world.query::<(&Name, &mut Material)>();
-    let mut materials: Vec<(&Name, Mut<Material>)> = query.iter_mut(world).collect();
-    materials.sort_by_key(|(name, _)| *name);
+    let mut query = world.query::<(&Name, &mut MtlMaterial, &mut Material)>();
+    let mut materials: Vec<(&Name, Mut<MtlMaterial>, Mut<Material>)> = query.iter_mut(world).collect();
+    materials.sort_by_key(|(name, ..)| *name);
     let mut edited = false;
-    for (name, material) in &mut materials {
+    for (name, numbers, material) in &mut materials {
         let title = RichText::new(name.as_str());
         let title = if seen == Some(name.as_str()) { title.strong().underline() } else { title };
         CollapsingHeader::new(title).id_salt(name.as_str()).show(ui, |ui| {
-            let mut numbers = (**material).clone();
-            sliders(ui, &mut numbers);
-            edited |= material.set_if_neq(numbers);
+            let mut edit = (**numbers).clone();
+            sliders(ui, &mut edit);
+            let comes_to = edit.material();
+            if numbers.set_if_neq(edit) {
+                material.set_if_neq(comes_to);
+                edited = true;
+            }
         });
     }
     if materials.is_empty() {
@@ -32,7 +36,7 @@ pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>) -> bool {
 }
 
 /// The numbers of one material: a line for each key.
-fn sliders(ui: &mut Ui, material: &mut Material) {
+fn sliders(ui: &mut Ui, material: &mut MtlMaterial) {
     egui::Grid::new("numbers").num_columns(2).show(ui, |ui| {
         for key in KEYS {
             ui.label(key.label());
@@ -42,7 +46,7 @@ fn sliders(ui: &mut Ui, material: &mut Material) {
     });
 }
 
-fn widget(ui: &mut Ui, key: &Key, material: &mut Material) {
+fn widget(ui: &mut Ui, key: &Key, material: &mut MtlMaterial) {
     match key.value {
         Value::Colour(Colour::Radiance, at) => channels(ui, at(material), Colour::Radiance.most_in_scene(), 0.05),
         Value::Colour(kind, at) => colour(ui, at(material), kind.most_in_scene()),
