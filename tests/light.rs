@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 
 use glam::{DVec3, UVec2, Vec3};
-use lucerna::components::Camera;
-use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, SAMPLE_BAD, TraceParams};
+use lucerna::components::{Camera, Energy, Material};
+use lucerna::layout::trace::{SAMPLE_BAD, TraceParams};
 use lucerna::prepare::camera;
+use lucerna::prepare::material;
 
 use crate::path::samples;
 use crate::rooms::{Room, matte};
@@ -30,9 +31,8 @@ impl Lamp {
     fn room(&self) -> Room {
         let mut room = Room { next_event: true, ..Room::default() };
         let floor = room.material(matte(Vec3::splat(ALBEDO), Vec3::ZERO));
-        let glow =
-            Reflector { emission: Vec3::splat(self.emission), one_sided: self.one_sided, ..Reflector::default() };
-        let light = room.material(MaterialRecord::pack(&glow, EnergyRule::Preserve));
+        let glow = Material { emission: Vec3::splat(self.emission), one_sided: self.one_sided, ..Material::BLACK };
+        let light = room.material(material::pack(&glow, Energy::Preserve));
         room.quad(Vec3::new(-1.0, 0.0, 1.0), 2.0 * Vec3::X, -2.0 * Vec3::Z, floor);
         let (s, t) = self.normal.any_orthonormal_pair();
         let (s, t) = if s.cross(t).dot(self.normal) > 0.0 { (s, t) } else { (t, s) };

@@ -57,7 +57,7 @@ impl Material {
     pub const BLACK: Self = Self {
         diffuse: Vec3::ZERO,
         specular: Vec3::ZERO,
-        lobe: Lobe::Phong(1.0),
+        lobe: Lobe::Phong(0.0),
         metallic: 0.0,
         emission: Vec3::ZERO,
         one_sided: false,
@@ -75,6 +75,6 @@ impl Material {
 impl Default for Material {
     /// A grey Lambert surface: what meshes get that name no material, or one that no library has.
     fn default() -> Self {
-        Self { diffuse: Vec3::splat(0.6), ..Self::BLACK }
+        Self { diffuse: Vec3::splat(0.6), lobe: Lobe::Phong(1.0), ..Self::BLACK }
     }
 }

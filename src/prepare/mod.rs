@@ -2,3 +2,4 @@
 
 pub mod camera;
 pub mod lighting;
+pub mod material;

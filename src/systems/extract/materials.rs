@@ -3,9 +3,10 @@
 use bevy_ecs::prelude::*;
 
 use super::Step;
-use crate::components::{Energy, Lobe, Material, Name, Passage};
+use crate::components::{Material, Name};
 use crate::gpu::GpuTable;
-use crate::layout::trace::{EnergyRule, MaterialRecord, Reflector};
+use crate::layout::trace::MaterialRecord;
+use crate::prepare;
 use crate::systems::resources::{Everything, MaterialSlot, Policy};
 use crate::systems::run::counted;
 
@@ -46,31 +47,10 @@ fn extract_materials(
             commands.entity(*entity).insert(MaterialSlot(index));
         }
     }
-    let rule = match policy.energy {
-        Energy::Preserve => EnergyRule::Preserve,
-        Energy::AsWritten => EnergyRule::AsWritten,
-    };
-    let packed = sorted.iter().map(|(_, _, material, _)| pack(material, rule));
-    let packed: Vec<MaterialRecord> = packed.chain([pack(&Material::default(), rule)]).collect();
+    let pack = |material: &Material| prepare::material::pack(material, policy.energy);
+    let packed = sorted.iter().map(|(_, _, material, _)| pack(material));
+    let packed: Vec<MaterialRecord> = packed.chain([pack(&Material::default())]).collect();
     if !records.holds(&packed) {
         records.set(packed);
     }
-}
-
-fn pack(material: &Material, rule: EnergyRule) -> MaterialRecord {
-    let values = Reflector {
-        kd: material.diffuse,
-        ks: material.specular,
-        ns: if let Lobe::Phong(exponent) = material.lobe { exponent } else { 0.0 },
-        roughness: if let Lobe::Ggx(roughness) = material.lobe { Some(roughness) } else { None },
-        metallic: material.metallic,
-        mirror: material.lobe == Lobe::Mirror,
-        dielectric: matches!(material.passage, Passage::Glass(_)),
-        ni: if let Passage::Glass(index) = material.passage { index } else { 1.0 },
-        tf: material.filter,
-        opacity: if let Passage::SeeThrough(opacity) = material.passage { opacity } else { 1.0 },
-        emission: material.emission,
-        one_sided: material.one_sided,
-    };
-    MaterialRecord::pack(&values, rule)
 }
