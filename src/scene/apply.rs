@@ -6,7 +6,7 @@ use std::sync::Arc;
 use bevy_ecs::component::Mutable;
 use bevy_ecs::prelude::*;
 
-use super::load::{MeshEntry, SceneDescription};
+use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
 use crate::components::{self, Active, Camera, Environment, Film, Geometry, Material, Name, UsesMaterial};
 

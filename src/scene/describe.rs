@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bevy_ecs::prelude::*;
 use bevy_ecs::query::QueryState;
 
-use super::load::{MeshEntry, SceneDescription};
+use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
 use crate::components::{
     CameraItem, EnvironmentItem, Film, Geometry, Material, Name, Render, Transform, UsesMaterial, rendered_camera,

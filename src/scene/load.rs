@@ -6,52 +6,24 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
+use super::bounds::Bounds;
+use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::file::{DEFAULT_CAMERA, EnvironmentEntry, MaterialEntry, ModelEntry, SceneFile, read_scene};
 use super::kind::Kind;
 use super::locate::{as_written, file_names};
+use super::model::{FARTHEST, Imported, Model};
 use super::mtl::MtlMaterial;
-use super::obj::{Model, read_obj};
+use super::obj::read_obj;
 use super::ron::{Reader, apply_defines, define_texts, parse};
 use super::sky::read_sky;
 use super::suggest::{did_you_mean, known_names};
 use super::text::{Text, missing};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
-use crate::components::{Camera, Environment, Film, MeshData, Render, Transform};
+use crate::components::{Camera, Environment, Transform};
 
 /// Bytes that a scene file may have.
 const SCENE_LIMIT: u64 = 4 << 20;
-
-/// The greatest coordinate of a model, and in world space: its cube, which a determinant needs, is within f32.
-pub const FARTHEST: f64 = 1e12;
-
-/// A whole scene as plain data, every name a stable key: equal files give equal descriptions.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SceneDescription {
-    /// The scene file's stem.
-    pub name: String,
-    /// By `model/object/part`.
-    pub meshes: BTreeMap<String, MeshEntry>,
-    /// By `model:material`.
-    pub materials: BTreeMap<String, MtlMaterial>,
-    /// By the name in the scene file; never empty.
-    pub cameras: BTreeMap<String, Camera>,
-    /// The camera that is rendered, a key of `cameras`.
-    pub active: String,
-    pub film: Film,
-    pub render: Render,
-    /// `None` is black.
-    pub environment: Option<Environment>,
-}
-
-/// One mesh: its geometry may be shared with others.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshEntry {
-    pub geometry: Arc<MeshData>,
-    pub transform: Transform,
-    /// A key of the description's materials.
-    pub material: String,
-}
 
 /// What loading gives.
 #[derive(Clone, Debug)]
@@ -201,7 +173,9 @@ impl Loader {
     ) -> Option<String> {
         let path = self.find_model(folder, entry)?;
         if !self.models.contains_key(&path) {
-            let model = read_obj(&path, &mut self.diagnostics, &mut self.files);
+            let Imported { model, messages, files } = read_obj(&path);
+            self.diagnostics.list.extend(messages);
+            self.files.extend(files);
             self.models.insert(path.clone(), model);
         }
         let model = self.models.get(&path)?.as_ref()?;
@@ -212,7 +186,7 @@ impl Loader {
         }
         let name = unique(entry.name.clone().unwrap_or_else(|| stem(&path)), names);
         let transform = Transform(entry.transform);
-        for part in &model.parts {
+        for part in &model.meshes {
             let material = format!("{name}:{}", part.material);
             let mesh = MeshEntry { geometry: part.geometry.clone(), transform, material };
             meshes.insert(format!("{name}/{}", part.name), mesh);
@@ -220,8 +194,7 @@ impl Loader {
         for (material, value) in &model.materials {
             materials.insert(format!("{name}:{material}"), value.clone());
         }
-        let (min, max) = model.bounds;
-        let corners = corners(min, max).map(|corner| entry.transform.transform_point3(corner));
+        let corners = model.bounds.corners().map(|corner| entry.transform.transform_point3(corner));
         if !corners.iter().all(|corner| corner.abs().max_element() <= FARTHEST) {
             let message = format!("this model reaches beyond {FARTHEST:e} units in world space");
             let help = "scale it down: single precision can't hold such distances";
@@ -311,28 +284,18 @@ fn unique(name: String, names: &mut BTreeMap<String, u32>) -> String {
     unique(numbered, names)
 }
 
-/// The eight corners of a box.
-pub fn corners(min: DVec3, max: DVec3) -> [DVec3; 8] {
-    std::array::from_fn(|i| {
-        let pick = |axis: usize| if i >> axis & 1 == 0 { min[axis] } else { max[axis] };
-        DVec3::new(pick(0), pick(1), pick(2))
-    })
-}
-
 /// A camera that sees all meshes, from the front, a little right and above.
 fn default_camera(meshes: &BTreeMap<String, MeshEntry>, file: &SceneFile) -> BTreeMap<String, Camera> {
-    let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for mesh in meshes.values() {
-        for corner in &mesh.geometry.triangles {
-            for index in corner {
-                let point = mesh.transform.0.transform_point3(mesh.geometry.positions[*index as usize]);
-                (min, max) = (min.min(point), max.max(point));
-            }
-        }
-    }
-    let empty = min.cmpgt(max).any();
-    let (centre, radius) =
-        if empty { (DVec3::ZERO, 1.0) } else { ((min + max) / 2.0, ((max - min).length() / 2.0).max(1e-9)) };
+    let points = meshes.values().flat_map(|mesh| {
+        let used = mesh.geometry.triangles.iter().flatten();
+        used.map(|index| mesh.transform.0.transform_point3(mesh.geometry.positions[*index as usize]))
+    });
+    let bounds = Bounds::of(points);
+    let Bounds { low, high } = bounds;
+    let (centre, radius) = match bounds.is_empty() {
+        true => (DVec3::ZERO, 1.0),
+        false => ((low + high) / 2.0, ((high - low).length() / 2.0).max(1e-9)),
+    };
     let fov_y = 40.0_f64;
     let aspect = f64::from(file.settings.film.size.x) / f64::from(file.settings.film.size.y);
     let half = (fov_y.to_radians() / 2.0).tan() * aspect.min(1.0);

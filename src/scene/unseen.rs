@@ -4,8 +4,9 @@ use std::path::Path;
 
 use glam::{DVec2, DVec3};
 
+use super::bounds::Bounds;
+use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Severity};
-use super::load::{MeshEntry, SceneDescription, corners};
 use crate::components::{Camera, MeshData};
 
 /// Triangles whose height is less than this part of their longest side have no area: their corners, of 53 bits, lie on a line.
@@ -86,10 +87,8 @@ fn is_flat(mesh: &MeshData) -> bool {
 
 /// The corners of the box around a mesh; none where it has no points.
 fn bounds(mesh: &MeshData) -> Option<[DVec3; 8]> {
-    let points = mesh.positions.iter();
-    let (min, max) =
-        points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(min, max), point| (min.min(*point), max.max(*point)));
-    min.cmple(max).all().then(|| corners(min, max))
+    let bounds = Bounds::of(mesh.positions.iter().copied());
+    (!bounds.is_empty()).then(|| bounds.corners())
 }
 
 /// What a camera sees: the space in front of it, between four planes through it.

@@ -5,7 +5,6 @@ use std::path::Path;
 
 use glam::Vec3;
 
-use super::exporter::Habits;
 use super::maps;
 use super::material::{MtlMaterial, TextureMaps};
 use super::values::{colour, reflectance, scalar, whole};
@@ -35,6 +34,15 @@ const LAST: &[&str] = &[
 
 /// `illum` of a surface with highlights, and nothing else.
 const HIGHLIGHTS: u32 = 2;
+
+/// How a library is to be read, by all that is in it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Habits {
+    /// `Tr`, where there is no `d`, is opacity: as transparency it would hide most of the library.
+    pub tr_is_opacity: bool,
+    /// One `illum` and one `Ni` are on all materials, of whatever colour: they make no glass.
+    pub glass_is_constant: bool,
+}
 
 /// One material so far. Places are warnings that lack their message.
 #[derive(Debug)]

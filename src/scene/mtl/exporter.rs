@@ -2,18 +2,9 @@
 
 use glam::Vec3;
 
-use super::draft::Draft;
+use super::draft::{Draft, Habits};
 use super::material::MtlMaterial;
 use crate::scene::diagnostic::{Diagnostic, Tally};
-
-/// How a library is to be read, by all that is in it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Habits {
-    /// `Tr`, where there is no `d`, is opacity: as transparency it would hide most of the library.
-    pub tr_is_opacity: bool,
-    /// One `illum` and one `Ni` are on all materials, of whatever colour: they make no glass.
-    pub glass_is_constant: bool,
-}
 
 /// Materials of one library that may well all be glass.
 const FEW: usize = 3;

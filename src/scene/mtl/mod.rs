@@ -26,8 +26,7 @@ use std::path::Path;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
 use super::lines::{Line, Lines, unquoted};
 use super::text;
-use draft::Draft;
-use exporter::Habits;
+use draft::{Draft, Habits};
 
 pub use appearance::Appearance;
 pub use material::{MtlMaterial, TextureMaps};
