@@ -14,6 +14,7 @@ pub mod gpu;
 pub mod image;
 pub mod oracle;
 pub mod passes;
+pub mod prepare;
 pub mod scene;
 pub mod shader;
 pub mod stats;

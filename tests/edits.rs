@@ -11,7 +11,7 @@ use lucerna::components::{
     Camera, Crop, Energy, Environment, Film, Geometry, Material, MeshData, Name, Render, Transform, UsesMaterial,
 };
 use lucerna::layout::film::FilmPixel;
-use lucerna::scene::{self, MeshEntry, SceneDescription};
+use lucerna::scene::{self, MeshEntry, MtlMaterial, SceneDescription};
 use lucerna::shader::Library;
 
 use crate::support;
@@ -59,13 +59,13 @@ fn edit(world: &mut World, dice: &mut Dice, file: &SceneDescription) -> &'static
         1 | 2 => {
             let material = *dice.pick(&all::<Material>(world));
             let mut material = world.get_mut::<Material>(material).unwrap();
-            material.kd = Vec3::new(dice.unit() as f32, 0.5, 0.25);
+            material.diffuse = Vec3::new(dice.unit() as f32, 0.5, 0.25);
             material.emission = if dice.roll(3) == 0 { Vec3::splat(dice.unit() as f32 * 8.0) } else { Vec3::ZERO };
             "material"
         }
         3 => {
             let material = *dice.pick(&all::<Material>(world));
-            world.get_mut::<Material>(material).unwrap().ks = Vec3::splat(dice.roll(2) as f32 * 0.4);
+            world.get_mut::<Material>(material).unwrap().specular = Vec3::splat(dice.roll(2) as f32 * 0.4);
             "lobe"
         }
         4 | 5 => {
@@ -186,7 +186,7 @@ fn a_scene_far_from_zero_is_the_scene_at_zero() {
         let description = SceneDescription {
             name: "far".into(),
             meshes: [("a".into(), entry(-0.5, "grey")), ("b".into(), entry(4.0, "lamp"))].into(),
-            materials: [("grey".into(), Material::default()), ("lamp".into(), lamp)].into(),
+            materials: [("grey".into(), MtlMaterial::default()), ("lamp".into(), lamp.into())].into(),
             cameras: [(
                 "front".into(),
                 Camera { position: shift + DVec3::Z * 2.0, look_at: shift, up: DVec3::Y, fov_y: 50.0 },
@@ -215,7 +215,7 @@ fn two_quads() -> SceneDescription {
     SceneDescription {
         name: "quads".into(),
         meshes: [("a".into(), entry(-1.0, 1)), ("b".into(), entry(1.0, 20))].into(),
-        materials: [("lamp".into(), lamp)].into(),
+        materials: [("lamp".into(), lamp.into())].into(),
         cameras: [(
             "front".into(),
             Camera { position: DVec3::Z * 4.0, look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 50.0 },

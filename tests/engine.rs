@@ -125,12 +125,12 @@ fn only_what_an_edit_touches_runs_again() {
     let mut after = |edit: fn(&mut World)| passes_after(&mut engine, &mut seen, edit);
     assert_eq!(after(|w| change::<Film>(w, |f| f.exposure += 1.0)), ["display"], "exposure");
     assert_eq!(after(|w| change::<Camera>(w, |c| c.position.x += 0.1)), light, "camera");
-    assert_eq!(after(|w| change::<Material>(w, |m| m.kd *= 0.9)), light, "a material's numbers");
+    assert_eq!(after(|w| change::<Material>(w, |m| m.diffuse *= 0.9)), light, "a material's numbers");
     assert_eq!(after(|w| change::<Render>(w, |r| r.seed += 1)), light, "seed");
     assert_eq!(after(|w| change::<Film>(w, |f| f.size.x += 1)), light, "film size");
     assert_eq!(after(|w| change::<Render>(w, |r| r.spp += 2)), ["accumulate", "display", "path"], "more samples");
     assert_eq!(after(|w| change::<Render>(w, |r| r.spp -= 2)), light, "fewer samples");
-    assert_eq!(after(|w| change::<Material>(w, |m| m.kd *= 1.0)), none, "a material written with what it was");
+    assert_eq!(after(|w| change::<Material>(w, |m| m.diffuse *= 1.0)), none, "a material written with what it was");
     assert_eq!(after(|w| change::<Camera>(w, |c| c.fov_y += 0.0)), none, "a camera written with what it was");
     assert_eq!(after(|w| change::<Transform>(w, |_| ())), none, "a transform written with what it was");
     let moved = after(|w| change::<Transform>(w, |t| t.0.translation.y += 0.01));
@@ -150,7 +150,7 @@ fn what_a_scene_lacks_is_not_compiled() {
     assert!(!plain.contains("phong") && !plain.contains("environment"), "{plain:?}");
     engine.edit(|world| {
         world.spawn((Name::new("sky"), Environment::Constant(Vec3::ONE)));
-        change::<Material>(world, |m| m.ks = Vec3::splat(0.1));
+        change::<Material>(world, |m| m.specular = Vec3::splat(0.1));
     });
     finish(&mut engine, STEP);
     let rich = features(&engine);

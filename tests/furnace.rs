@@ -3,7 +3,9 @@
 use std::f32::consts::{PI, TAU};
 
 use glam::{Mat3, UVec2, Vec3};
-use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, Shading, TraceParams};
+use lucerna::components::{Energy, Lobe, Material, Passage};
+use lucerna::layout::trace::{MaterialRecord, Shading, TraceParams};
+use lucerna::prepare::material;
 use lucerna::shader::Library;
 
 use crate::path::{against_twin, compare_integrators, samples, small};
@@ -89,16 +91,16 @@ fn add(room: &mut Room, mesh: &[Smooth], centre: Vec3, radius: f32, material: u3
     }
 }
 
-fn pack(values: Reflector) -> MaterialRecord {
-    MaterialRecord::pack(&values, EnergyRule::Preserve)
+fn pack(values: Material) -> MaterialRecord {
+    material::pack(&values, Energy::Preserve)
 }
 
-fn white(values: Reflector) -> MaterialRecord {
-    pack(Reflector { ks: Vec3::ONE, ..values })
+fn white(values: Material) -> MaterialRecord {
+    pack(Material { specular: Vec3::ONE, ..values })
 }
 
 fn glass() -> MaterialRecord {
-    pack(Reflector { dielectric: true, ni: 1.5, ..Reflector::default() })
+    pack(Material { passage: Passage::Glass(1.5), ..Material::BLACK })
 }
 
 /// A mesh of one material in a sky of 1, by pixel and sample: red, which is all of them.
@@ -115,12 +117,13 @@ fn in_the_open(mesh: &[Smooth], material: MaterialRecord, side: u32, layers: u32
 
 #[test]
 fn what_absorbs_nothing_is_invisible() {
-    let half = Reflector { kd: Vec3::splat(0.5), ks: Vec3::splat(0.5), mirror: true, ..Reflector::default() };
+    let half =
+        Material { diffuse: Vec3::splat(0.5), specular: Vec3::splat(0.5), lobe: Lobe::Mirror, ..Material::BLACK };
     let surfaces = [
-        ("mirror", white(Reflector { mirror: true, ..Reflector::default() })),
-        ("chalk", pack(Reflector { kd: Vec3::ONE, ..Reflector::default() })),
+        ("mirror", white(Material { lobe: Lobe::Mirror, ..Material::BLACK })),
+        ("chalk", pack(Material { diffuse: Vec3::ONE, ..Material::BLACK })),
         ("chalk and mirror", pack(half)),
-        ("veil", pack(Reflector { kd: Vec3::ONE, opacity: 0.4, ..Reflector::default() })),
+        ("veil", pack(Material { diffuse: Vec3::ONE, passage: Passage::SeeThrough(0.4), ..Material::BLACK })),
     ];
     for (shape, mesh) in meshes() {
         for (surface, material) in surfaces {
@@ -144,7 +147,7 @@ fn glass_loses_a_sample_in_a_thousand_at_most() {
 
 #[test]
 fn nearly_smooth_metal_loses_less_than_a_percent_of_any_pixel() {
-    let metal = Reflector { kd: Vec3::ONE, metallic: 1.0, roughness: Some(0.02), ..Reflector::default() };
+    let metal = Material { diffuse: Vec3::ONE, metallic: 1.0, lobe: Lobe::Ggx(0.02), ..Material::BLACK };
     for (shape, mesh) in meshes() {
         for pixel in in_the_open(&mesh, pack(metal), 16, 256) {
             let mean = pixel.iter().sum::<f32>() / pixel.len() as f32;
@@ -155,8 +158,8 @@ fn nearly_smooth_metal_loses_less_than_a_percent_of_any_pixel() {
 
 #[test]
 fn rough_lobes_lose_what_a_fine_ball_loses() {
-    let surfaces = [0.3, 0.6, 1.0].map(|roughness| Reflector { roughness: Some(roughness), ..Reflector::default() });
-    let phong = [10.0, 300.0].map(|ns| Reflector { ns, ..Reflector::default() });
+    let surfaces = [0.3, 0.6, 1.0].map(|roughness| Material { lobe: Lobe::Ggx(roughness), ..Material::BLACK });
+    let phong = [10.0, 300.0].map(|ns| Material { lobe: Lobe::Phong(ns), ..Material::BLACK });
     for values in surfaces.into_iter().chain(phong) {
         // Loss of the mean pixel that is covered by it at all.
         let mean = |mesh: &[Smooth]| {
@@ -166,17 +169,17 @@ fn rough_lobes_lose_what_a_fine_ball_loses() {
         };
         let (coarse, fine) = (mean(&ball(12, 8)), mean(&ball(96, 64)));
         // 9,000 samples of a deviation of 0.3 at most, twice: an error of 0.005, four of it. A coarse ball is seen under other angles.
-        assert!(coarse > fine - 0.02, "{:?}, Ns {}: {coarse}, fine {fine}", values.roughness, values.ns);
+        assert!(coarse > fine - 0.02, "{:?}: {coarse}, fine {fine}", values.lobe);
     }
 }
 
 #[test]
 fn a_closed_ball_is_a_geometric_series_from_inside() {
-    let glow = Reflector { emission: Vec3::ONE, ..Reflector::default() };
+    let glow = Material { emission: Vec3::ONE, ..Material::BLACK };
     let surfaces = [
-        Reflector { kd: Vec3::splat(0.9), ..glow },
-        Reflector { ks: Vec3::splat(0.9), mirror: true, ..glow },
-        Reflector { kd: Vec3::splat(0.45), ks: Vec3::splat(0.45), mirror: true, ..glow },
+        Material { diffuse: Vec3::splat(0.9), ..glow },
+        Material { specular: Vec3::splat(0.9), lobe: Lobe::Mirror, ..glow },
+        Material { diffuse: Vec3::splat(0.45), specular: Vec3::splat(0.45), lobe: Lobe::Mirror, ..glow },
     ];
     for (shape, mesh) in [("ball", ball(12, 8)), ("cube", cube()), ("normals inwards", backwards(ball(10, 7)))] {
         for values in surfaces {
@@ -206,12 +209,12 @@ fn balls() -> Room {
     let lamp = room.material(matte(Vec3::ZERO, Vec3::new(4.0, 3.0, 2.0)));
     room.walls([Some(wall), Some(wall), Some(wall), Some(wall), Some(wall), None]);
     room.quad(Vec3::new(-0.8, 0.9, -0.8), 1.6 * Vec3::X, 1.6 * Vec3::Z, lamp);
-    let grey = Reflector { kd: Vec3::splat(0.4), ks: Vec3::splat(0.5), ..Reflector::default() };
+    let grey = Material { diffuse: Vec3::splat(0.4), specular: Vec3::splat(0.5), ..Material::BLACK };
     let surfaces = [
-        Reflector { kd: Vec3::splat(0.9), ..Reflector::default() },
-        Reflector { ns: 30.0, ..grey },
-        Reflector { roughness: Some(0.4), ..grey },
-        Reflector { mirror: true, ..grey },
+        Material { diffuse: Vec3::splat(0.9), ..Material::BLACK },
+        Material { lobe: Lobe::Phong(30.0), ..grey },
+        Material { lobe: Lobe::Ggx(0.4), ..grey },
+        Material { lobe: Lobe::Mirror, ..grey },
     ];
     let meshes = [ball(8, 6), cube(), ball(7, 5), torus(9, 6)];
     for (i, (values, mesh)) in surfaces.into_iter().zip(meshes).enumerate() {

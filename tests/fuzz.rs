@@ -5,8 +5,8 @@ use std::cell::Cell;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use lucerna::components::{Environment, Geometry, Material, MeshData};
-use lucerna::scene::{Diagnostic, Diagnostics, Loaded, apply, check, load};
+use lucerna::components::{Environment, Geometry, MeshData};
+use lucerna::scene::{Diagnostic, Diagnostics, Loaded, MtlMaterial, apply, check, load};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -120,12 +120,12 @@ fn check_mesh(mesh: &MeshData) {
     assert!(used().all(|normal| normal.is_normalized()));
 }
 
-fn check_material(material: &Material) {
-    for colour in [material.kd, material.ks, material.emission, material.tf] {
+fn check_material(material: &MtlMaterial) {
+    for colour in [material.kd, material.ks, material.ke, material.tf] {
         assert!(colour.min_element() >= 0.0 && colour.max_element() <= 1e6, "{material:?}");
     }
     assert!((0.0..=1e5).contains(&material.ns) && (1.0..=100.0).contains(&material.ni));
-    assert!((0.0..=1.0).contains(&material.dissolve) && material.illum <= 10);
+    assert!((0.0..=1.0).contains(&material.d) && material.illum <= 10);
 }
 
 /// Either messages, one of them an error, or a scene that keeps every promise.

@@ -1,8 +1,10 @@
 //! Rooms with glass, mirrors, rough metal and veils.
 
 use glam::{DVec3, UVec2, Vec3};
+use lucerna::components::{Energy, Material, Passage};
 use lucerna::gpu::Runtime;
-use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, TraceParams};
+use lucerna::layout::trace::{MaterialRecord, TraceParams};
+use lucerna::prepare::material;
 use lucerna::shader::Library;
 
 use crate::path::{against_twin, inside, samples, small};
@@ -10,7 +12,7 @@ use crate::rooms::{Room, matte};
 use crate::support;
 
 fn glass(ni: f32) -> MaterialRecord {
-    MaterialRecord::pack(&Reflector { dielectric: true, ni, ..Reflector::default() }, EnergyRule::Preserve)
+    material::pack(&Material { passage: Passage::Glass(ni), ..Material::BLACK }, Energy::Preserve)
 }
 
 fn traced(room: &Room, params: &TraceParams) -> Vec<Vec3> {
@@ -148,8 +150,9 @@ fn roulette_equals_the_f64_twin() {
 fn a_veil_lets_its_part_through() {
     let mut room = Room { environment: Vec3::new(1.0, 2.0, 4.0), ..Room::default() };
     let tf = Vec3::new(1.0, 0.5, 0.25);
-    let values = Reflector { kd: Vec3::splat(0.5), opacity: 0.3, tf, ..Reflector::default() };
-    let veil = room.material(MaterialRecord::pack(&values, EnergyRule::Preserve));
+    let values =
+        Material { diffuse: Vec3::splat(0.5), passage: Passage::SeeThrough(0.3), filter: tf, ..Material::BLACK };
+    let veil = room.material(material::pack(&values, Energy::Preserve));
     room.quad(Vec3::new(-9.0, -9.0, 0.0), Vec3::X * 18.0, Vec3::Y * 18.0, veil);
     let mean_of = |rig: &mut Runtime| {
         room.load(rig);

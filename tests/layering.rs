@@ -73,13 +73,14 @@ fn modules_know_only_what_is_below_them() {
         "layout",
         "oracle",
         "passes",
+        "prepare",
         "scene",
         "shader",
         "stats",
         "systems",
         "watch",
     ];
-    let below: [(&str, &[&str]); 15] = [
+    let below: [(&str, &[&str]); 16] = [
         ("components", &[]),
         ("image", &["components", "files"]),
         ("layout", &[]),
@@ -87,12 +88,13 @@ fn modules_know_only_what_is_below_them() {
         ("scene", &["components", "files", "image"]),
         ("shader", &["files", "layout"]),
         ("passes", &["cpu", "layout"]),
+        ("prepare", &["components", "layout"]),
         ("stats", &[]),
         ("oracle", &["components"]),
         ("cpu", &["image", "layout", "stats"]),
         ("gpu", &["layout", "shader", "passes"]),
         ("watch", &["components", "cpu", "files", "gpu", "layout", "passes", "scene", "shader"]),
-        ("systems", &["components", "cpu", "files", "gpu", "layout", "passes", "scene", "shader", "watch"]),
+        ("systems", &["components", "cpu", "files", "gpu", "layout", "passes", "prepare", "scene", "shader", "watch"]),
         ("engine", &["components", "cpu", "gpu", "layout", "passes", "scene", "shader", "systems", "watch"]),
         // All but the phases: those are the engine's.
         (

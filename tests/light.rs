@@ -3,8 +3,10 @@
 use std::f64::consts::PI;
 
 use glam::{DVec3, UVec2, Vec3};
-use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, SAMPLE_BAD, TraceParams};
-use lucerna::passes::trace::View;
+use lucerna::components::{Camera, Energy, Material};
+use lucerna::layout::trace::{SAMPLE_BAD, TraceParams};
+use lucerna::prepare::camera;
+use lucerna::prepare::material;
 
 use crate::path::samples;
 use crate::rooms::{Room, matte};
@@ -29,9 +31,8 @@ impl Lamp {
     fn room(&self) -> Room {
         let mut room = Room { next_event: true, ..Room::default() };
         let floor = room.material(matte(Vec3::splat(ALBEDO), Vec3::ZERO));
-        let glow =
-            Reflector { emission: Vec3::splat(self.emission), one_sided: self.one_sided, ..Reflector::default() };
-        let light = room.material(MaterialRecord::pack(&glow, EnergyRule::Preserve));
+        let glow = Material { emission: Vec3::splat(self.emission), one_sided: self.one_sided, ..Material::BLACK };
+        let light = room.material(material::pack(&glow, Energy::Preserve));
         room.quad(Vec3::new(-1.0, 0.0, 1.0), 2.0 * Vec3::X, -2.0 * Vec3::Z, floor);
         let (s, t) = self.normal.any_orthonormal_pair();
         let (s, t) = if s.cross(t).dot(self.normal) > 0.0 { (s, t) } else { (t, s) };
@@ -56,8 +57,8 @@ impl Lamp {
 /// The mean radiance that leaves the point the camera sees, and its standard error.
 fn seen(room: &Room, layers: u32) -> (f64, f64) {
     let mut params = TraceParams { layers, max_depth: 2, ..room.params(UVec2::splat(16)) };
-    let view = View { position: DVec3::new(0.4, 0.5, 0.7), look_at: SEEN, up: DVec3::Y, fov_y: 1e-4 };
-    params.aim(&view, UVec2::splat(16), DVec3::ZERO);
+    let view = Camera { position: DVec3::new(0.4, 0.5, 0.7), look_at: SEEN, up: DVec3::Y, fov_y: 1e-4 };
+    camera::aim(&mut params, &view, UVec2::splat(16), DVec3::ZERO);
     let mut rig = support::rig();
     room.load(&mut rig);
     let got = samples(&mut rig, &params);

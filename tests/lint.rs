@@ -4,8 +4,10 @@ use std::collections::BTreeSet;
 use std::time::Instant;
 
 use glam::Vec3;
+use lucerna::components::{Energy, Lobe, Material, Passage};
 use lucerna::cpu::lint::Flaw;
-use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector};
+use lucerna::layout::trace::MaterialRecord;
+use lucerna::prepare::material;
 use lucerna::shader::Library;
 use lucerna::watch::lint::{Finding, VIEWS, kinds, run};
 
@@ -13,12 +15,12 @@ use crate::support;
 
 type Named = (String, MaterialRecord);
 
-fn pack(name: &str, values: Reflector) -> Named {
-    (name.to_owned(), MaterialRecord::pack(&values, EnergyRule::Preserve))
+fn pack(name: &str, values: Material) -> Named {
+    (name.to_owned(), material::pack(&values, Energy::Preserve))
 }
 
-fn grey(kd: f32, ks: f32) -> Reflector {
-    Reflector { kd: Vec3::splat(kd), ks: Vec3::new(ks, 0.5 * ks, ks), ..Reflector::default() }
+fn grey(kd: f32, ks: f32) -> Material {
+    Material { diffuse: Vec3::splat(kd), specular: Vec3::new(ks, 0.5 * ks, ks), ..Material::BLACK }
 }
 
 /// Every kind of lobe, alone and beside others.
@@ -26,18 +28,21 @@ fn surfaces() -> Vec<Named> {
     let mut all = vec![
         pack("white", grey(1.0, 0.0)),
         pack("black", grey(0.0, 0.0)),
-        pack("mirror", Reflector { mirror: true, ..grey(0.0, 1.0) }),
-        pack("half mirror", Reflector { mirror: true, ..grey(0.5, 0.5) }),
-        pack("glass", Reflector { dielectric: true, ni: 1.5, ..grey(0.0, 0.0) }),
-        pack("thin", Reflector { opacity: 0.3, ..grey(0.8, 0.0) }),
-        pack("hardly there", Reflector { opacity: 0.01, ns: 50.0, ..grey(0.5, 0.4) }),
+        pack("mirror", Material { lobe: Lobe::Mirror, ..grey(0.0, 1.0) }),
+        pack("half mirror", Material { lobe: Lobe::Mirror, ..grey(0.5, 0.5) }),
+        pack("glass", Material { passage: Passage::Glass(1.5), ..grey(0.0, 0.0) }),
+        pack("thin", Material { passage: Passage::SeeThrough(0.3), ..grey(0.8, 0.0) }),
+        pack(
+            "hardly there",
+            Material { passage: Passage::SeeThrough(0.01), lobe: Lobe::Phong(50.0), ..grey(0.5, 0.4) },
+        ),
     ];
     for (kd, ks) in [(0.0, 1.0), (0.5, 0.4), (0.9, 0.02)] {
         for ns in [1.0, 10.0, 100.0, 1e3, 1e4, 1e5] {
-            all.push(pack(&format!("Phong {ns} {ks}"), Reflector { ns, ..grey(kd, ks) }));
+            all.push(pack(&format!("Phong {ns} {ks}"), Material { lobe: Lobe::Phong(ns), ..grey(kd, ks) }));
         }
         for alpha in [1e-3f32, 0.01, 0.1, 0.3, 1.0] {
-            all.push(pack(&format!("GGX {alpha} {ks}"), Reflector { roughness: Some(alpha.sqrt()), ..grey(kd, ks) }));
+            all.push(pack(&format!("GGX {alpha} {ks}"), Material { lobe: Lobe::Ggx(alpha.sqrt()), ..grey(kd, ks) }));
         }
     }
     all
@@ -76,8 +81,8 @@ fn flaws(library: &Library, surfaces: &[Named]) -> Vec<Flaw> {
 #[test]
 fn planted_mistakes_are_found() {
     let lambert = [pack("floor", grey(0.95, 0.0))];
-    let shiny = [pack("pot", Reflector { ns: 200.0, ..grey(0.5, 0.45) })];
-    let rough = [pack("metal", Reflector { roughness: Some(0.3), ..grey(0.0, 0.9) })];
+    let shiny = [pack("pot", Material { lobe: Lobe::Phong(200.0), ..grey(0.5, 0.45) })];
+    let rough = [pack("metal", Material { lobe: Lobe::Ggx(0.3), ..grey(0.0, 0.9) })];
 
     let uniform =
         planted("lib/sampling", "return Angle(sqrt(1.0 - u), sqrt(u));", "return Angle(1.0 - u, sqrt(u * (2.0 - u)));");
@@ -159,6 +164,6 @@ fn another_sampler_with_its_own_pdf_is_right() {
     let lambert = Library::shipped().text("lib/bsdf/lambert").unwrap().to_owned();
     let both =
         sampling.with("lib/bsdf/lambert", &lambert.replace("return INV_PI * cos_theta;", "return 0.5 * INV_PI;"));
-    let shiny = [pack("pot", Reflector { ns: 200.0, ..grey(0.5, 0.45) })];
+    let shiny = [pack("pot", Material { lobe: Lobe::Phong(200.0), ..grey(0.5, 0.45) })];
     assert_eq!(flaws(&both, &shiny), []);
 }

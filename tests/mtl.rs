@@ -1,15 +1,15 @@
 //! MTL files: values, policies, and a located warning for each line that is not honoured.
 
 use glam::Vec3;
-use lucerna::components::{Material, Passage, Specular};
-use lucerna::scene::{Diagnostic, Severity, load};
+use lucerna::components::{Lobe, Material, Passage};
+use lucerna::scene::{Diagnostic, MtlMaterial, Severity, load};
 
 /// Reads a library through an OBJ file that uses its material `a`.
-fn read(mtl: &str) -> (Material, Vec<Diagnostic>) {
+fn read(mtl: &str) -> (MtlMaterial, Vec<Diagnostic>) {
     read_named("a", mtl)
 }
 
-fn read_named(name: &str, mtl: &str) -> (Material, Vec<Diagnostic>) {
+fn read_named(name: &str, mtl: &str) -> (MtlMaterial, Vec<Diagnostic>) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let obj = format!("mtllib my materials.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl {name}\nf 1 2 3\n");
     std::fs::write(folder.path().join("m.obj"), obj).expect("a file");
@@ -30,9 +30,9 @@ fn a_whole_material_arrives_without_warnings() {
     assert_eq!(material.kd, Vec3::new(0.1, 0.2, 0.3));
     assert_eq!(material.ks, Vec3::new(0.4, 0.5, 0.6));
     assert_eq!(material.ns, 33.0);
-    assert_eq!(material.emission, Vec3::new(1.0, 2.0, 3.0));
-    assert_eq!((material.ni, material.dissolve, material.tf, material.illum), (1.5, 1.0, Vec3::new(1.0, 0.5, 1.0), 2));
-    assert_eq!((material.roughness, material.metallic), (Some(0.25), 0.75));
+    assert_eq!(material.ke, Vec3::new(1.0, 2.0, 3.0));
+    assert_eq!((material.ni, material.d, material.tf, material.illum), (1.5, 1.0, Vec3::new(1.0, 0.5, 1.0), 2));
+    assert_eq!((material.pr, material.pm), (Some(0.25), 0.75));
     assert!(!material.one_sided);
 }
 
@@ -63,18 +63,18 @@ fn glass_needs_no_colour() {
 
 #[test]
 fn emission_is_ke_or_le() {
-    assert_eq!(read("newmtl a\nKe 1 1 1\n").0.emission, Vec3::ONE);
-    assert_eq!(read("newmtl a\nKd 1 1 1\nLe 2 2 2\n").0.emission, Vec3::splat(2.0));
-    assert_eq!(read("newmtl a\nKe 1 1 1\nLe 2 2 2\n").0.emission, Vec3::ONE);
-    assert_eq!(read_named("a_light", "newmtl a_light\nKe 1 1 1\nLe 2 2 2\n").0.emission, Vec3::splat(2.0));
-    assert_eq!(read_named("a_light", "newmtl a_light\nKe 1 1 1\nLe 0 0 0\n").0.emission, Vec3::ONE);
+    assert_eq!(read("newmtl a\nKe 1 1 1\n").0.ke, Vec3::ONE);
+    assert_eq!(read("newmtl a\nKd 1 1 1\nLe 2 2 2\n").0.ke, Vec3::splat(2.0));
+    assert_eq!(read("newmtl a\nKe 1 1 1\nLe 2 2 2\n").0.ke, Vec3::ONE);
+    assert_eq!(read_named("a_light", "newmtl a_light\nKe 1 1 1\nLe 2 2 2\n").0.ke, Vec3::splat(2.0));
+    assert_eq!(read_named("a_light", "newmtl a_light\nKe 1 1 1\nLe 0 0 0\n").0.ke, Vec3::ONE);
     let (_, warnings) = read_named("a_light", "newmtl a_light\nKd 1 1 1\n");
     assert!(warnings[0].message.contains("emits nothing"), "{warnings:?}");
 }
 
 #[test]
 fn tr_counts_only_without_d() {
-    let dissolve = |text: &str| read(&format!("newmtl a\nKd 1 1 1\n{text}\n")).0.dissolve;
+    let dissolve = |text: &str| read(&format!("newmtl a\nKd 1 1 1\n{text}\n")).0.d;
     assert_eq!(dissolve("d 0.25"), 0.25);
     assert_eq!(dissolve("Tr 0.25"), 0.75);
     assert_eq!(dissolve("Tr 0.25\nd 0.5"), 0.5);
@@ -158,7 +158,7 @@ fn each_line_that_is_not_honoured_is_a_warning_at_its_place() {
         assert!(found.file.ends_with("my materials.mtl"));
         let place = if *column == 0 { (4, 1) } else { (3, *column) };
         assert_eq!((found.line, found.column), place, "{found}");
-        assert!(material.kd.is_finite() && material.ks.is_finite() && material.emission.is_finite());
+        assert!(material.kd.is_finite() && material.ks.is_finite() && material.ke.is_finite());
         if found.message.contains("left out") && text.starts_with("Kd") && !text.contains("1 1 1 1") {
             assert_eq!(material.kd, Vec3::splat(0.5), "{text}");
         }
@@ -178,17 +178,17 @@ const LOOKS: &[(&str, Passage, &str)] = &[
     ("illum 9\nd 1.0", Passage::Opaque, "diffuse"),
     ("illum 4\nKd 0 0 0\nKs 0 0 0", Passage::Opaque, "black"),
     // What the numbers call transparent.
-    ("illum 4\nNi 1.5", Passage::Glass, "glass"),
-    ("illum 6\nNi 1.2\nTf 1 1 1", Passage::Glass, "glass"),
-    ("illum 7\nNi 2.4\nd 1", Passage::Glass, "glass"),
-    ("illum 9\nNi 1.33\nd 0.3", Passage::Glass, "glass"),
-    ("illum 4\nTf 0.5 0.9 0.5\nNi 1", Passage::Glass, "glass"),
-    ("illum 7\nTf 0.98 1 0.99", Passage::Glass, "glass"),
-    ("illum 4\nd 0.5\nNi 1.00\nTf 1 1 1", Passage::SeeThrough, "see-through"),
-    ("illum 4\nTr 0.5", Passage::SeeThrough, "see-through"),
-    ("illum 2\nd 0.5\nNi 1.5", Passage::SeeThrough, "see-through"),
-    ("illum 2\nd 0", Passage::SeeThrough, "invisible"),
-    ("illum 2\nd 0\nTf 0.5 0.5 0.5", Passage::SeeThrough, "see-through"),
+    ("illum 4\nNi 1.5", Passage::Glass(1.5), "glass"),
+    ("illum 6\nNi 1.2\nTf 1 1 1", Passage::Glass(1.2), "glass"),
+    ("illum 7\nNi 2.4\nd 1", Passage::Glass(2.4), "glass"),
+    ("illum 9\nNi 1.33\nd 0.3", Passage::Glass(1.33), "glass"),
+    ("illum 4\nTf 0.5 0.9 0.5\nNi 1", Passage::Glass(1.0), "glass"),
+    ("illum 7\nTf 0.98 1 0.99", Passage::Glass(1.0), "glass"),
+    ("illum 4\nd 0.5\nNi 1.00\nTf 1 1 1", Passage::SeeThrough(0.5), "see-through"),
+    ("illum 4\nTr 0.5", Passage::SeeThrough(0.5), "see-through"),
+    ("illum 2\nd 0.5\nNi 1.5", Passage::SeeThrough(0.5), "see-through"),
+    ("illum 2\nd 0", Passage::SeeThrough(0.0), "invisible"),
+    ("illum 2\nd 0\nTf 0.5 0.5 0.5", Passage::SeeThrough(0.0), "see-through"),
     // Others.
     ("illum 3\nKs 0.9 0.9 0.9", Passage::Opaque, "mirror"),
     ("illum 8\nKs 0.9 0.9 0.9", Passage::Opaque, "mirror"),
@@ -205,12 +205,12 @@ fn a_material_is_what_its_numbers_say_and_not_illum_alone() {
         assert_eq!(material.passage(), *passage, "{text}");
         let look = material.appearance();
         assert_eq!(look.kind, *kind, "{text}: {look:?}");
-        let told = material.asks_for_glass() && *passage != Passage::Glass;
+        let told = material.asks_for_glass() && !matches!(passage, Passage::Glass(_));
         assert_eq!(look.reason.contains("alone makes no glass"), told, "{text}: {look:?}");
         let warned = warnings.iter().any(|warning| warning.message.contains("alone makes no glass"));
         assert_eq!(warned, told && !matches!(*kind, "black" | "light"), "{text}: {warnings:?}");
     }
-    assert_eq!(read("newmtl a\nKs 1 1 1\nillum 8\n").0.specular(), Specular::Mirror);
+    assert_eq!(read("newmtl a\nKs 1 1 1\nillum 8\n").0.lobe(), Lobe::Mirror);
 }
 
 #[test]
@@ -236,12 +236,12 @@ fn an_illum_and_an_index_on_everything_are_a_constant() {
         (vec![wood, alike, &wood.replace("newmtl a", "newmtl c")], true),
     ] {
         let (material, warnings) = read(&texts.concat());
-        assert_eq!(material.passage() == Passage::Glass, glass, "{texts:?}");
+        assert_eq!(material.is_glass(), glass, "{texts:?}");
         let told = warnings.iter().any(|warning| warning.message.contains("an exporter's constant"));
         assert_eq!(told, !glass, "{texts:?}: {warnings:?}");
     }
     let (material, _) = read(&[wood, wall, sofa].concat().replace("illum", "Tr 1\nillum"));
-    assert_eq!((material.passage(), material.dissolve), (Passage::Opaque, 1.0));
+    assert_eq!((material.passage(), material.d), (Passage::Opaque, 1.0));
 }
 
 #[test]
@@ -268,7 +268,7 @@ fn tr_that_would_hide_most_of_a_library_is_opacity() {
         (vec!["Tr 1\nd 0", "Tr 1\nd 0"], 0.0),
     ] {
         let (material, warnings) = read(&library(&values));
-        assert_eq!(material.dissolve, dissolve, "{values:?}");
+        assert_eq!(material.d, dissolve, "{values:?}");
         let flipped = warnings.iter().any(|warning| warning.message.contains("taken as opacity"));
         let written =
             values[0].starts_with("Tr 1") && dissolve == 0.0 || values.iter().all(|value| value.contains('d'));
@@ -325,4 +325,23 @@ fn a_library_that_is_no_text_is_an_error() {
     std::fs::write(folder.path().join("m.mtl"), "").unwrap();
     let loaded = load(&folder.path().join("m.obj"), &[]).unwrap();
     assert!(loaded.warnings.iter().any(|found| found.message.contains("no material in this file")));
+}
+
+#[test]
+fn every_material_has_numbers_that_come_to_it() {
+    let grey = Material { specular: Vec3::splat(0.2), metallic: 0.25, one_sided: true, ..Material::default() };
+    for lobe in [Lobe::Phong(30.0), Lobe::Ggx(0.4), Lobe::Mirror] {
+        for passage in [Passage::Opaque, Passage::SeeThrough(0.5), Passage::SeeThrough(0.0)] {
+            let material = Material { lobe, passage, filter: Vec3::new(1.0, 0.5, 0.25), emission: Vec3::X, ..grey };
+            assert_eq!(MtlMaterial::from(material).material(), material);
+        }
+    }
+    for (index, filter) in [(1.5, Vec3::ONE), (1.0, Vec3::new(1.0, 0.5, 0.25))] {
+        let glass = Material { passage: Passage::Glass(index), filter, ..grey };
+        assert_eq!(MtlMaterial::from(glass).material(), glass);
+    }
+    // What neither bends nor filters is not there.
+    let nothing = Material { passage: Passage::Glass(1.0), ..grey };
+    assert!(MtlMaterial::from(nothing).material().is_invisible());
+    assert_eq!(MtlMaterial::default().material(), Material::default());
 }

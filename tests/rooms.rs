@@ -1,6 +1,7 @@
 //! Small scenes for the tests of light transport.
 
 use glam::{DVec3, UVec2, Vec3};
+use lucerna::components::{Camera, Crop, Energy, Lobe, Material, Passage};
 use lucerna::cpu::path::PathScene;
 use lucerna::cpu::rng::Source;
 use lucerna::cpu::tree;
@@ -8,10 +9,13 @@ use lucerna::gpu::Runtime;
 use lucerna::layout::film::film_exponent;
 use lucerna::layout::light::LightTable;
 use lucerna::layout::sky::SkyTable;
-use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, Shading, TraceParams};
+use lucerna::layout::trace::{MaterialRecord, Shading, TraceParams};
 use lucerna::layout::tree::{Triangle, root};
 use lucerna::passes::Recording;
-use lucerna::passes::trace::{self, Lighting, View};
+use lucerna::passes::trace;
+use lucerna::prepare::camera;
+use lucerna::prepare::lighting::Lighting;
+use lucerna::prepare::material;
 
 /// A scene as the trace kernel gets it.
 #[derive(Clone, Default)]
@@ -31,12 +35,12 @@ pub struct Room {
 
 /// A diffuse material that may emit.
 pub fn matte(kd: Vec3, emission: Vec3) -> MaterialRecord {
-    MaterialRecord::pack(&Reflector { kd, emission, ..Reflector::default() }, EnergyRule::Preserve)
+    material::pack(&Material { diffuse: kd, emission, ..Material::BLACK }, Energy::Preserve)
 }
 
 /// A material of both lobes.
 pub fn shiny(kd: Vec3, ks: Vec3, ns: f32) -> MaterialRecord {
-    MaterialRecord::pack(&Reflector { kd, ks, ns, ..Reflector::default() }, EnergyRule::Preserve)
+    material::pack(&Material { diffuse: kd, specular: ks, lobe: Lobe::Phong(ns), ..Material::BLACK }, Energy::Preserve)
 }
 
 impl Room {
@@ -112,23 +116,27 @@ impl Room {
     /// The same room with a glass ball, a mirror, a sheet of rough metal and a veil.
     pub fn glass() -> Self {
         let mut room = Self { environment: Vec3::new(0.3, 0.4, 0.5), ..Self::default() };
-        let pack = |values: Reflector| MaterialRecord::pack(&values, EnergyRule::Preserve);
+        let pack = |values: Material| material::pack(&values, Energy::Preserve);
         let white = room.material(matte(Vec3::splat(0.73), Vec3::ZERO));
         let red = room.material(matte(Vec3::new(0.63, 0.06, 0.05), Vec3::ZERO));
         let glow = room.material(matte(Vec3::splat(0.2), Vec3::new(1.0, 1.5, 2.0)));
-        let mirror = room.material(pack(Reflector {
-            kd: Vec3::splat(0.2),
-            ks: Vec3::new(0.7, 0.6, 0.5),
-            mirror: true,
-            ..Reflector::default()
+        let mirror = room.material(pack(Material {
+            diffuse: Vec3::splat(0.2),
+            specular: Vec3::new(0.7, 0.6, 0.5),
+            lobe: Lobe::Mirror,
+            ..Material::BLACK
         }));
         let metal =
-            Reflector { kd: Vec3::new(0.9, 0.6, 0.3), roughness: Some(0.5), metallic: 1.0, ..Reflector::default() };
+            Material { diffuse: Vec3::new(0.9, 0.6, 0.3), lobe: Lobe::Ggx(0.5), metallic: 1.0, ..Material::BLACK };
         let metal = room.material(pack(metal));
-        let veil =
-            Reflector { opacity: 0.6, tf: Vec3::new(0.9, 0.7, 0.8), kd: Vec3::splat(0.3), ..Reflector::default() };
+        let veil = Material {
+            passage: Passage::SeeThrough(0.6),
+            filter: Vec3::new(0.9, 0.7, 0.8),
+            diffuse: Vec3::splat(0.3),
+            ..Material::BLACK
+        };
         let veil = room.material(pack(veil));
-        let glass = Reflector { dielectric: true, ni: 1.5, tf: Vec3::new(0.9, 1.0, 0.95), ..Reflector::default() };
+        let glass = Material { passage: Passage::Glass(1.5), filter: Vec3::new(0.9, 1.0, 0.95), ..Material::BLACK };
         let glass = room.material(pack(glass));
         room.walls([Some(red), Some(glow), Some(white), Some(glow), Some(white), None]);
         room.quad(Vec3::new(-0.9, -0.9, -0.9), Vec3::new(1.0, 0.0, -0.05), Vec3::Y * 1.5, mirror);
@@ -148,10 +156,10 @@ impl Room {
             seed: 1,
             ..TraceParams::default()
         };
-        let view = View { position: DVec3::new(0.1, 0.05, 3.2), look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 42.0 };
-        params.aim(&view, size, DVec3::ZERO);
-        params.crop(UVec2::ZERO, size);
-        params.fit_film(self.exponent());
+        let view = Camera { position: DVec3::new(0.1, 0.05, 3.2), look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 42.0 };
+        camera::aim(&mut params, &view, size, DVec3::ZERO);
+        camera::crop(&mut params, Crop { min: UVec2::ZERO, max: size });
+        camera::fit_film(&mut params, self.exponent());
         let table = self.lights();
         let lighting = Lighting {
             lights: table.lights.len() as u32,
@@ -159,7 +167,7 @@ impl Room {
             sky: self.sky.as_ref().map_or(UVec2::ZERO, |sky| sky.size),
             sky_power: self.sky_power(),
         };
-        params.light(&lighting, 1.0);
+        lighting.write(&mut params, 1.0);
         params
     }
 

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::components::{
-    Active, Camera, Energy, Environment, Film, Geometry, Material, Name, Passage, Render, Transform, UsesMaterial,
+    Active, Camera, Energy, Environment, Film, Geometry, Lobe, Material, Name, Passage, Render, Transform, UsesMaterial,
 };
-use lucerna::scene::{Diagnostics, Loaded, SceneDescription, apply, check, find, load};
+use lucerna::scene::{Diagnostics, Loaded, MtlMaterial, SceneDescription, apply, check, describe, find, load};
 
 /// A square of two triangles in a red material.
 const SQUARE: &str = "mtllib square.mtl\no square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\n";
@@ -200,7 +200,7 @@ fn every_number_of_a_material_can_be_changed() {
                 illum: 7) })";
     let loaded = load_text(text, &[]).unwrap_or_else(|errors| panic!("{errors}"));
     let red = &loaded.description.materials["square:red"];
-    assert_eq!((red.roughness, red.metallic, red.dissolve, red.ni, red.illum), (Some(0.25), 0.5, 0.75, 1.5, 7));
+    assert_eq!((red.pr, red.pm, red.d, red.ni, red.illum), (Some(0.25), 0.5, 0.75, 1.5, 7));
     assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
 }
 
@@ -209,15 +209,15 @@ fn an_illum_in_a_scene_file_is_held_to_the_same_numbers() {
     for (edit, passage) in [
         ("illum: 4", Passage::Opaque),
         ("illum: 7, tf: 1, ni: 1", Passage::Opaque),
-        ("illum: 7, d: 0.5", Passage::SeeThrough),
-        ("illum: 4, ni: 1.5", Passage::Glass),
-        ("illum: 9, tf: (0.5, 1, 1)", Passage::Glass),
+        ("illum: 7, d: 0.5", Passage::SeeThrough(0.5)),
+        ("illum: 4, ni: 1.5", Passage::Glass(1.5)),
+        ("illum: 9, tf: (0.5, 1, 1)", Passage::Glass(1.0)),
     ] {
         let text = format!("(models: [(path: \"square.obj\")], materials: {{ \"red\": ({edit}) }})");
         let loaded = load_text(&text, &[]).unwrap_or_else(|errors| panic!("{errors}"));
         assert_eq!(loaded.description.materials["square:red"].passage(), passage, "{edit}");
         let told = loaded.warnings.iter().filter(|warning| warning.message.contains("alone makes no glass")).count();
-        assert_eq!(told, usize::from(passage != Passage::Glass), "{edit}: {:?}", loaded.warnings);
+        assert_eq!(told, usize::from(!matches!(passage, Passage::Glass(_))), "{edit}: {:?}", loaded.warnings);
     }
 }
 
@@ -403,6 +403,27 @@ fn applying_changes_what_differs_and_nothing_else() {
     apply(&mut world, &edited);
     assert_eq!(all_changes(&mut world), [0, 0, 0, 0, 0, 0, 0, 0, 1, 0]);
     assert_eq!(world.query::<&Environment>().iter(&world).count(), 0);
+}
+
+#[test]
+fn what_files_say_of_a_material_stays_beside_what_it_comes_to() {
+    let edited = |edit: &str| description(&SCENE.replace("(ns: 32, ks: 0.5)", edit));
+    let mut world = World::new();
+    let mirror = edited("(ns: 32, ks: 0.5, illum: 3)");
+    apply(&mut world, &mirror);
+    assert_eq!(describe(&world, &mirror.name), mirror);
+    let numbers = world.query::<(&MtlMaterial, &Material)>().single(&world).unwrap();
+    assert_eq!((numbers.0.ns, numbers.1.lobe), (32.0, Lobe::Mirror));
+    // So another `illum` finds its exponent again.
+    apply(&mut world, &edited("(ns: 32, ks: 0.5, illum: 2)"));
+    assert_eq!(world.query::<&Material>().single(&world).unwrap().lobe, Lobe::Phong(32.0));
+    // A material that was edited by itself is described as it is.
+    world.query::<&mut Material>().single_mut(&mut world).unwrap().lobe = Lobe::Ggx(0.5);
+    let described = describe(&world, &mirror.name);
+    assert_eq!(described.materials["square:red"].pr, Some(0.5));
+    let mut other = World::new();
+    apply(&mut other, &described);
+    assert_eq!(other.query::<&Material>().single(&other).unwrap(), world.query::<&Material>().single(&world).unwrap());
 }
 
 #[test]

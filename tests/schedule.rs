@@ -82,7 +82,7 @@ const RESTARTS: &[Row] = &[
     ("seed", |w| change::<Render>(w, |r| r.seed += 1), &["extract_policy", "extract_shot"], &[]),
     (
         "a material's numbers",
-        |w| change::<Material>(w, |m| m.kd *= 0.5),
+        |w| change::<Material>(w, |m| m.diffuse *= 0.5),
         &["extract_materials", "extract_lights", "extract_shot", "materials"],
         &["materials"],
     ),

@@ -8,8 +8,8 @@ use lucerna::cpu::sky::{draw_sky, sky_arriving, sky_cell};
 use lucerna::gpu::Runtime;
 use lucerna::layout::sky::SkyTable;
 use lucerna::layout::trace::TraceParams;
-use lucerna::passes::trace::Lighting;
 use lucerna::passes::{Binding, Pass, Recording, Size};
+use lucerna::prepare::lighting::Lighting;
 use lucerna::scene::generate::SplitMix;
 use lucerna::shader::Library;
 
@@ -84,7 +84,7 @@ probe!(
 
 fn params_of(sky: &SkyTable) -> TraceParams {
     let mut params = TraceParams { seed: 5, ..TraceParams::default() };
-    params.light(&Lighting { sky: sky.size, sky_power: sky.power, ..Lighting::default() }, 1.0);
+    Lighting { sky: sky.size, sky_power: sky.power, ..Lighting::default() }.write(&mut params, 1.0);
     params
 }
 

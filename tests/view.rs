@@ -138,7 +138,7 @@ fn a_view_follows_camera_and_materials() {
     let first = picture(&engine);
     engine.edit(|world| {
         let mut materials = world.query::<&mut Material>();
-        materials.iter_mut(world).for_each(|mut material| material.kd *= 0.5);
+        materials.iter_mut(world).for_each(|mut material| material.diffuse *= 0.5);
     });
     finish(&mut engine);
     let darker = picture(&engine);

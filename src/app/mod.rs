@@ -15,6 +15,7 @@ mod output;
 mod progress;
 mod render;
 mod scene;
+mod settings;
 mod tracer;
 mod values;
 mod watch;

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use glam::UVec2;
 
 use super::Failure;
 use super::failure::show;
-use super::values::{IntegratorName, SamplerName, Switch, crop, define, size, stops};
-use crate::components::{Crop, Render};
+use super::settings::SettingFlags;
+use super::values::define;
+use crate::scene::settings::Settings;
 use crate::scene::{self, SceneDescription};
 use crate::shader::{Library, ShaderError};
 use crate::watch::{Sources, WatchedScene};
@@ -16,36 +16,12 @@ use crate::watch::{Sources, WatchedScene};
 /// What every command that draws a scene takes beside its name.
 #[derive(Args, Clone, Debug, Default)]
 pub struct SceneFlags {
-    /// Samples a pixel
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub spp: Option<u32>,
-    /// Size of the whole picture in pixels, each side 1 to 16384
-    #[arg(long, value_name = "WxH", value_parser = size)]
-    pub size: Option<UVec2>,
-    /// Render this part only: pixels from X0 up to but not X1, from Y0 up to but not Y1, from the top left
-    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = crop, allow_hyphen_values = true)]
-    pub crop: Option<Crop>,
+    #[command(flatten)]
+    pub settings: SettingFlags,
     /// A camera of the scene, by its name
-    #[arg(long, value_name = "NAME")]
+    // Help texts have it before the seed.
+    #[arg(long, value_name = "NAME", display_order = 3)]
     pub camera: Option<String>,
-    /// Seed of all random numbers
-    #[arg(long, value_name = "N")]
-    pub seed: Option<u32>,
-    /// How light is estimated
-    #[arg(long, value_enum)]
-    pub integrator: Option<IntegratorName>,
-    /// Where the random numbers of a sample come from
-    #[arg(long, value_enum)]
-    pub sampler: Option<SamplerName>,
-    /// Segments of the longest path: 1 sees emitters only, up to 1024
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Render::MAX_DEPTH)))]
-    pub max_depth: Option<u32>,
-    /// End paths of little throughput early (unbiased)
-    #[arg(long, value_enum)]
-    pub roulette: Option<Switch>,
-    /// Brighten by so many stops, -64 to 64
-    #[arg(long, value_name = "STOPS", value_parser = stops, allow_hyphen_values = true)]
-    pub exposure: Option<f32>,
     /// Change a value of the scene file, such as -D materials.ball.ns=64
     #[arg(short = 'D', value_name = "KEY=VALUE", value_parser = define)]
     pub define: Vec<(String, String)>,
@@ -110,28 +86,22 @@ impl SceneFlags {
         if let Some(name) = &self.camera {
             choose_camera(description, name)?;
         }
-        let (film, render) = (&mut description.film, &mut description.render);
-        film.size = self.size.unwrap_or(film.size);
-        film.crop = self.crop.or(film.crop);
-        film.exposure = self.exposure.unwrap_or(film.exposure);
+        let mut settings = Settings { film: description.film, render: description.render };
+        self.settings.apply(&mut settings);
+        Settings { film: description.film, render: description.render } = settings;
+        let film = &description.film;
         if let Some(crop) = film.crop
             && crop.max.cmpgt(film.size).any()
         {
             let [x0, x1, y0, y1] = [crop.min.x, crop.max.x, crop.min.y, crop.max.y];
-            let (message, help) = match self.crop {
-                Some(_) => ("--crop", "choose a part of the picture, or a larger --size"),
-                None => ("the scene's crop", "give a --crop that fits the --size"),
+            let (message, help) = match self.settings.gives("crop") {
+                true => ("--crop", "choose a part of the picture, or a larger --size"),
+                false => ("the scene's crop", "give a --crop that fits the --size"),
             };
             let message =
                 format!("{message} {x0},{x1},{y0},{y1} reaches beyond the picture of {}x{}", film.size.x, film.size.y);
             return Err(Failure::usage(message, help));
         }
-        render.spp = self.spp.unwrap_or(render.spp);
-        render.seed = self.seed.unwrap_or(render.seed);
-        render.integrator = self.integrator.map_or(render.integrator, Into::into);
-        render.sampler = self.sampler.map_or(render.sampler, Into::into);
-        render.max_depth = self.max_depth.unwrap_or(render.max_depth);
-        render.roulette = self.roulette.map_or(render.roulette, |switch| switch == Switch::On);
         Ok(())
     }
 }

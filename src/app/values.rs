@@ -1,10 +1,10 @@
 //! What values of several commands' flags may be. Whatever is out of range is refused here, with exit code 2.
 
-use clap::ValueEnum;
 use glam::UVec2;
 
-use crate::components::{Crop, Film, Integrator, Sampler};
+use crate::components::{Crop, Film};
 use crate::image::Output;
+use crate::scene::settings::MOST_STOPS;
 
 /// What ends every help text.
 pub const EXIT_CODES: &str = "\
@@ -18,48 +18,6 @@ Exit codes:
   6    whether judged shaders have another mean can't be told yet
   130  interrupted; what there was, if anything, has been written";
 
-/// Integrators by their names on the command line.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum IntegratorName {
-    /// Lights are asked directly too, and both ways are weighted together
-    Path,
-    /// Directions from the BSDF alone; light is found by hitting it
-    Bsdf,
-}
-
-impl From<IntegratorName> for Integrator {
-    fn from(name: IntegratorName) -> Self {
-        match name {
-            IntegratorName::Path => Integrator::Path,
-            IntegratorName::Bsdf => Integrator::Bsdf,
-        }
-    }
-}
-
-/// Samplers by their names on the command line.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum SamplerName {
-    /// Evenly spread points: a scrambled (0, 4)-sequence
-    Sobol,
-    /// Independent numbers
-    Pcg,
-}
-
-impl From<SamplerName> for Sampler {
-    fn from(name: SamplerName) -> Self {
-        match name {
-            SamplerName::Sobol => Sampler::Sobol,
-            SamplerName::Pcg => Sampler::Pcg,
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Switch {
-    On,
-    Off,
-}
-
 /// A length of time, seconds.
 pub fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
@@ -71,8 +29,8 @@ pub fn seconds(text: &str) -> Result<f64, String> {
 /// An exposure.
 pub fn stops(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
-        Ok(stops) if stops.abs() <= 64.0 => Ok(stops),
-        _ => Err("expected a number from -64 to 64".into()),
+        Ok(stops) if stops.abs() <= MOST_STOPS => Ok(stops),
+        _ => Err(format!("expected a number from -{MOST_STOPS} to {MOST_STOPS}")),
     }
 }
 

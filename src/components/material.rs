@@ -1,68 +1,80 @@
-//! Surface materials, by the names of the MTL format.
-
-use std::path::PathBuf;
+//! Surface materials, by their lobes.
 
 use bevy_ecs::prelude::*;
 use glam::Vec3;
 
 /// What a surface does with light. Linear Rec.709; every number finite.
-#[derive(Component, Clone, Debug, PartialEq)]
+///
+/// An energy policy ([`Energy`](super::Energy)) bounds what both lobes reflect together.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Diffuse reflectance, each channel at least 0.
-    pub kd: Vec3,
+    /// Reflectance of the diffuse lobe, each channel at least 0.
+    pub diffuse: Vec3,
     /// Reflectance of the specular lobe, each channel at least 0.
-    pub ks: Vec3,
-    /// Exponent of the Phong lobe, 0 to 1e5.
-    pub ns: f32,
-    /// `Pr`, 0 to 1: the specular lobe is GGX of alpha = roughness^2. Without it, it is the Phong lobe of `ns`,
-    /// or what `illum` says.
-    pub roughness: Option<f32>,
-    /// `Pm`, 0 to 1: this part of `kd` is reflected by the specular lobe instead of diffusely.
+    pub specular: Vec3,
+    /// Shape of the specular lobe.
+    pub lobe: Lobe,
+    /// 0 to 1: this part of `diffuse` is reflected by the specular lobe instead.
     pub metallic: f32,
-    /// Emitted radiance, each channel at least 0 (`Ke`, or `Le` in the Cornell box family of files).
+    /// Emitted radiance, each channel at least 0.
     pub emission: Vec3,
-    /// Light leaves the front side only (counter-clockwise winding seen from there). Off by default: winding in OBJ files
-    /// is unreliable.
+    /// Light leaves the front side only (counter-clockwise winding seen from there).
     pub one_sided: bool,
-    /// Index of refraction, at least 1.
-    pub ni: f32,
-    /// Opacity, 0 to 1 (`d`, or 1 - `Tr`).
-    pub dissolve: f32,
-    /// Transmission filter, each channel 0 to 1.
-    pub tf: Vec3,
-    /// The file's illumination model, 0 to 10. What it means, [`Material::passage`] and [`Material::specular`] say.
-    pub illum: u32,
-    /// Image files of `map_*` statements.
-    pub maps: TextureMaps,
+    pub passage: Passage,
+    /// What light is multiplied by that gets through, at each crossing: each channel 0 to 1.
+    pub filter: Vec3,
+}
+
+/// The shape of a specular lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lobe {
+    /// Of this exponent, 0 to 1e5.
+    Phong(f32),
+    /// Of this roughness, 0 to 1: alpha is its square.
+    Ggx(f32),
+    Mirror,
+}
+
+/// How light gets through a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Passage {
+    /// Not at all.
+    Opaque,
+    /// Of this opacity, 0 to 1: the rest of the light goes straight on.
+    SeeThrough(f32),
+    /// Refracted by this index, at least 1, or reflected; the surface does nothing else.
+    Glass(f32),
+}
+
+/// A surface of which no more than this is there is not seen: it changes no picture of 8 bits.
+const SEEN: f32 = 1e-3;
+
+/// A filter within this of 1 takes nothing away that could be seen.
+const CLEAR: f32 = 1.0 - 5e-3;
+
+impl Material {
+    /// Black and opaque.
+    pub const BLACK: Self = Self {
+        diffuse: Vec3::ZERO,
+        specular: Vec3::ZERO,
+        lobe: Lobe::Phong(0.0),
+        metallic: 0.0,
+        emission: Vec3::ZERO,
+        one_sided: false,
+        passage: Passage::Opaque,
+        filter: Vec3::ONE,
+    };
+
+    /// Whether rays go through it as if it were not there.
+    pub fn is_invisible(&self) -> bool {
+        let gone = matches!(self.passage, Passage::SeeThrough(opacity) if opacity <= SEEN);
+        gone && self.filter.min_element() >= CLEAR && self.emission == Vec3::ZERO
+    }
 }
 
 impl Default for Material {
     /// A grey Lambert surface: what meshes get that name no material, or one that no library has.
     fn default() -> Self {
-        Self {
-            kd: Vec3::splat(0.6),
-            ks: Vec3::ZERO,
-            ns: 1.0,
-            roughness: None,
-            metallic: 0.0,
-            emission: Vec3::ZERO,
-            one_sided: false,
-            ni: 1.0,
-            dissolve: 1.0,
-            tf: Vec3::ONE,
-            illum: 1,
-            maps: TextureMaps::default(),
-        }
+        Self { diffuse: Vec3::splat(0.6), lobe: Lobe::Phong(1.0), ..Self::BLACK }
     }
-}
-
-/// Image files a material names, resolved against the folder of its MTL file.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct TextureMaps {
-    pub kd: Option<PathBuf>,
-    pub ks: Option<PathBuf>,
-    pub ns: Option<PathBuf>,
-    pub ke: Option<PathBuf>,
-    pub dissolve: Option<PathBuf>,
-    pub bump: Option<PathBuf>,
 }

@@ -17,16 +17,14 @@ mod film;
 mod material;
 mod mesh;
 mod rendered;
-mod surface;
 
 pub use bevy_ecs::name::Name;
 pub use camera::{Active, Camera};
 pub use environment::{Environment, EnvironmentMap};
 pub use film::{Crop, Energy, Film, Integrator, Render, Sampler};
-pub use material::{Material, TextureMaps};
+pub use material::{Lobe, Material, Passage};
 pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};
 pub use rendered::{CameraItem, EnvironmentItem, rendered_camera, rendered_environment};
-pub use surface::{Appearance, Passage, Specular};
 
 use bevy_ecs::prelude::World;
 

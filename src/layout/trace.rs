@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 gpu_struct! {
-    /// What a surface does with light, packed from a material's numbers by [`MaterialRecord::pack`].
+    /// What a surface does with light, packed from a material by `prepare`.
     pub struct MaterialRecord {
         /// Diffuse reflectance, linear Rec.709, at least 0.
         pub kd: Vec3,
@@ -177,113 +177,11 @@ gpu_consts! {
 
 const _: () = assert!(size_of::<PathState>() <= 96, "a path state is at most 96 bytes");
 
-/// What becomes of materials that reflect more than they receive.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EnergyRule {
-    /// The reflectances of both lobes are divided by max(1, the largest channel of their sum).
-    Preserve,
-    /// Left alone.
-    AsWritten,
-}
-
 /// Roughness below which a GGX lobe is taken as a mirror. Unit vectors in f32 err by some 1e-7, which is a thousandth of
 /// such a lobe's width and moves its density by 0.2 %; no film resolves it either.
 pub const SMOOTHEST_ALPHA: f32 = 1e-4;
 
-/// A material's numbers before the energy rule. Linear Rec.709, finite, at least 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reflector {
-    pub kd: Vec3,
-    pub ks: Vec3,
-    /// 0 to 1e5.
-    pub ns: f32,
-    /// 0 to 1: the specular lobe is GGX of alpha = roughness^2, or a mirror below [`SMOOTHEST_ALPHA`].
-    pub roughness: Option<f32>,
-    /// 0 to 1: this part of `kd` is reflected by the specular lobe.
-    pub metallic: f32,
-    /// Without `roughness`, the specular lobe is a mirror.
-    pub mirror: bool,
-    /// A smooth dielectric of index `ni`, filtered by `tf`: `kd`, `ks` and `opacity` do not count.
-    pub dielectric: bool,
-    /// At least 1.
-    pub ni: f32,
-    /// At most 1.
-    pub tf: Vec3,
-    /// 0 to 1: the rest of the light passes straight through, filtered by `tf`.
-    pub opacity: f32,
-    pub emission: Vec3,
-    pub one_sided: bool,
-}
-
-impl Default for Reflector {
-    /// Black and opaque.
-    fn default() -> Self {
-        Self {
-            kd: Vec3::ZERO,
-            ks: Vec3::ZERO,
-            ns: 0.0,
-            roughness: None,
-            metallic: 0.0,
-            mirror: false,
-            dielectric: false,
-            ni: 1.0,
-            tf: Vec3::ONE,
-            opacity: 1.0,
-            emission: Vec3::ZERO,
-            one_sided: false,
-        }
-    }
-}
-
 impl MaterialRecord {
-    /// Applies the energy rule and works out the choice of lobes. What a material has no use for is left at its default,
-    /// so that materials of equal looks are equal records.
-    pub fn pack(values: &Reflector, rule: EnergyRule) -> Self {
-        // The sum turns -0.0 into 0.0: the kernel tells negative numbers by their sign.
-        let mut record = Self {
-            emission: values.emission + Vec3::ZERO,
-            flags: if values.one_sided { MATERIAL_ONE_SIDED } else { 0 },
-            tf: Vec3::ONE,
-            ni: 1.0,
-            ..Self::default()
-        };
-        let tf = values.tf.clamp(Vec3::ZERO, Vec3::ONE) + Vec3::ZERO;
-        if values.dielectric {
-            return Self { tf, ni: values.ni.max(1.0), flags: record.flags | MATERIAL_DIELECTRIC, ..record };
-        }
-        record.transparency = 1.0 - values.opacity.clamp(0.0, 1.0);
-        if record.transparency > 0.0 {
-            record.tf = tf;
-        }
-        record.reflect(values, rule)
-    }
-
-    /// The record with its lobes of reflection.
-    fn reflect(mut self, values: &Reflector, rule: EnergyRule) -> Self {
-        let metallic = values.metallic.clamp(0.0, 1.0);
-        let (kd, ks) = (values.kd * (1.0 - metallic), values.ks + values.kd * metallic);
-        let scale = match rule {
-            EnergyRule::Preserve => (kd + ks).max_element().max(1.0),
-            EnergyRule::AsWritten => 1.0,
-        };
-        [self.kd, self.ks] = [kd / scale, ks / scale].map(|v| v + Vec3::ZERO);
-        let (diffuse, specular) = (luminance(self.kd), luminance(self.ks));
-        if specular <= 0.0 {
-            return Self { ns: values.ns.clamp(0.0, 1e5), ..self };
-        }
-        self.specular_probability = specular / (diffuse + specular);
-        match values.roughness.map(|roughness| roughness * roughness) {
-            Some(alpha) if alpha >= SMOOTHEST_ALPHA => {
-                self.alpha = alpha.min(1.0);
-                self.flags |= MATERIAL_GGX;
-            }
-            Some(_) => self.flags |= MATERIAL_MIRROR,
-            None if values.mirror => self.flags |= MATERIAL_MIRROR,
-            None => self.ns = values.ns.clamp(0.0, 1e5),
-        }
-        self
-    }
-
     /// Whether the specular lobe is Phong's.
     pub fn has_phong(&self) -> bool {
         self.specular_probability > 0.0 && self.flags & (MATERIAL_GGX | MATERIAL_MIRROR) == 0

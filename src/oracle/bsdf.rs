@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_1_PI, PI, TAU};
 use glam::{DMat3, DVec3};
 
 use super::random::Random;
-use crate::components::{self, Energy, Material, Passage};
+use crate::components::{Energy, Lobe, Material, Passage};
 
 /// Least alpha of a rough conductor, as the definition of `roughness` has it.
 const LEAST_ALPHA: f64 = 1e-4;
@@ -59,28 +59,24 @@ pub struct Draw {
 impl Bsdf {
     /// From a material and what becomes of its excess.
     pub fn new(material: &Material, energy: Energy) -> Self {
-        let (kd, ks, metallic) = (material.kd.as_dvec3(), material.ks.as_dvec3(), f64::from(material.metallic));
+        let (kd, ks) = (material.diffuse.as_dvec3(), material.specular.as_dvec3());
+        let metallic = f64::from(material.metallic);
         let (kd, ks) = (kd * (1.0 - metallic), ks + kd * metallic);
         let scale = match energy {
             Energy::Preserve => (kd + ks).max_element().max(1.0),
             Energy::AsWritten => 1.0,
         };
-        let specular = match material.specular() {
-            components::Specular::Ggx => {
-                let roughness = f64::from(material.roughness.unwrap_or_default());
-                Specular::Ggx(roughness.powi(2).max(LEAST_ALPHA))
-            }
-            components::Specular::Mirror => Specular::Mirror,
-            components::Specular::Phong => Specular::Phong(f64::from(material.ns).clamp(0.0, 1e5)),
+        let specular = match material.lobe {
+            Lobe::Ggx(roughness) => Specular::Ggx(f64::from(roughness).powi(2).max(LEAST_ALPHA)),
+            Lobe::Mirror => Specular::Mirror,
+            Lobe::Phong(exponent) => Specular::Phong(f64::from(exponent).clamp(0.0, 1e5)),
         };
-        Self {
-            kd: kd / scale,
-            ks: ks / scale,
-            specular,
-            glass: (material.passage() == Passage::Glass).then(|| f64::from(material.ni)),
-            opacity: f64::from(material.dissolve),
-            tf: material.tf.as_dvec3(),
-        }
+        let (glass, opacity) = match material.passage {
+            Passage::Opaque => (None, 1.0),
+            Passage::SeeThrough(opacity) => (None, f64::from(opacity)),
+            Passage::Glass(index) => (Some(f64::from(index)), 1.0),
+        };
+        Self { kd: kd / scale, ks: ks / scale, specular, glass, opacity, tf: material.filter.as_dvec3() }
     }
 
     /// Probabilities of the lobes: diffuse, specular, straight on. All 0 where nothing is carried.

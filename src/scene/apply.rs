@@ -6,7 +6,8 @@ use std::sync::Arc;
 use bevy_ecs::component::Mutable;
 use bevy_ecs::prelude::*;
 
-use super::load::{MeshEntry, SceneDescription};
+use super::description::{MeshEntry, SceneDescription};
+use super::mtl::MtlMaterial;
 use crate::components::{self, Active, Camera, Environment, Film, Geometry, Material, Name, UsesMaterial};
 
 /// Makes the world hold exactly the scene that `description` describes, entity by entity, matched by `Name`.
@@ -20,9 +21,10 @@ pub fn apply(world: &mut World, description: &SceneDescription) {
 /// The same, but leaves alone what is in the description as it was in an earlier one: what was edited since stays so.
 pub fn apply_changes(world: &mut World, earlier: Option<&SceneDescription>, description: &SceneDescription) {
     components::register(world);
+    world.register_component::<MtlMaterial>();
     let materials = match_by_name::<Material>(world, description.materials.keys());
     for (name, material) in &description.materials {
-        set_change(world, materials[name], earlier.and_then(|e| e.materials.get(name)), material);
+        apply_material(world, materials[name], earlier.and_then(|e| e.materials.get(name)), material);
     }
     let meshes = match_by_name::<Geometry>(world, description.meshes.keys());
     for (name, mesh) in &description.meshes {
@@ -77,6 +79,14 @@ fn match_by_name<'n, Kind: Component>(
         }
     }
     found
+}
+
+/// Writes a material and what it comes to, unless the description says what it said earlier.
+fn apply_material(world: &mut World, entity: Entity, earlier: Option<&MtlMaterial>, numbers: &MtlMaterial) {
+    if earlier != Some(numbers) || world.get::<Material>(entity).is_none() {
+        set(world, entity, numbers);
+        set(world, entity, &numbers.material());
+    }
 }
 
 /// Writes a component if it differs from what is there, unless the description says what it said earlier.

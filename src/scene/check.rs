@@ -6,10 +6,9 @@ use std::path::{Path, PathBuf};
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::kind::Kind;
 use super::load::{Loaded, attempt, bare};
-use super::mtl::read_mtl;
+use super::mtl::{Appearance, read_mtl};
 use super::text::cannot_read;
 use super::unseen::unseen_by;
-use crate::components::Appearance;
 use crate::files;
 
 /// What a check has read and found.

@@ -5,12 +5,14 @@ use std::collections::BTreeMap;
 use bevy_ecs::prelude::*;
 use bevy_ecs::query::QueryState;
 
-use super::load::{MeshEntry, SceneDescription};
+use super::description::{MeshEntry, SceneDescription};
+use super::mtl::MtlMaterial;
 use crate::components::{
     CameraItem, EnvironmentItem, Film, Geometry, Material, Name, Render, Transform, UsesMaterial, rendered_camera,
     rendered_environment,
 };
 
+type Surface = (Entity, &'static Name, &'static Material, Option<&'static MtlMaterial>);
 type Mesh = (&'static Name, &'static Geometry, Option<&'static Transform>, Option<&'static UsesMaterial>);
 
 /// What the world holds now, edits included. Applied to another world, it makes that one equal; entities without a `Name`
@@ -19,8 +21,10 @@ pub fn describe(world: &World, name: &str) -> SceneDescription {
     let key = |name: &Name| name.as_str().to_owned();
     let mut materials = BTreeMap::new();
     let mut names: BTreeMap<Entity, String> = BTreeMap::new();
-    for (entity, name, material) in query::<(Entity, &Name, &Material)>(world).iter(world) {
-        materials.insert(key(name), material.clone());
+    for (entity, name, material, numbers) in query::<Surface>(world).iter(world) {
+        // Of a material that was edited by itself, what files said is not true any more.
+        let numbers = numbers.filter(|numbers| numbers.material() == *material).cloned();
+        materials.insert(key(name), numbers.unwrap_or_else(|| MtlMaterial::from(*material)));
         names.insert(entity, key(name));
     }
     let entry = |(name, geometry, transform, uses): (&Name, &Geometry, Option<&Transform>, Option<&UsesMaterial>)| {

@@ -5,9 +5,12 @@ use std::collections::BTreeMap;
 use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 
 use super::diagnostic::{Diagnostic, Severity};
+use super::keys::{self, KEYS, Key, Range};
+use super::mtl::MtlMaterial;
 use super::ron::{Fields, Kind, Node, Reader};
+use super::settings::{Group, SETTINGS, Settings, Value};
 use super::suggest::known_names;
-use crate::components::{Camera, Crop, Energy, Film, Integrator, Material, Render, Sampler};
+use crate::components::{Camera, Crop, Film};
 
 /// The camera of scenes that have none.
 pub const DEFAULT_CAMERA: &str = "default";
@@ -19,8 +22,7 @@ pub struct SceneFile {
     pub cameras: BTreeMap<String, Camera>,
     /// The chosen camera, one of `cameras`.
     pub active: Option<String>,
-    pub film: Film,
-    pub render: Render,
+    pub settings: Settings,
     pub environment: Option<EnvironmentEntry>,
     /// Sorted by name; full keys (`model:material`) after bare names, so that they win.
     pub materials: Vec<MaterialEntry>,
@@ -61,41 +63,49 @@ pub struct MaterialEntry {
 }
 
 /// The numbers of a material that a scene file changes.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct MaterialEdit {
-    kd: Option<Vec3>,
-    ks: Option<Vec3>,
-    ns: Option<f32>,
-    pr: Option<f32>,
-    pm: Option<f32>,
-    ke: Option<Vec3>,
-    one_sided: Option<bool>,
-    ni: Option<f32>,
-    d: Option<f32>,
-    tf: Option<Vec3>,
-    illum: Option<u32>,
+    /// Those that are given, and no other of `numbers`.
+    given: Vec<&'static Key>,
+    numbers: MtlMaterial,
 }
 
 impl MaterialEdit {
     /// Whether it gives an `illum` of glass.
     pub fn asks_for_glass(&self) -> bool {
-        self.illum.is_some_and(|illum| Material { illum, ..Material::default() }.asks_for_glass())
+        self.gives("illum") && self.numbers.asks_for_glass()
     }
 
     /// Writes the given numbers over a material's.
-    pub fn apply(&self, material: &mut Material) {
-        let set = |to: &mut Vec3, from: Option<Vec3>| *to = from.unwrap_or(*to);
-        set(&mut material.kd, self.kd);
-        set(&mut material.ks, self.ks);
-        set(&mut material.emission, self.ke);
-        set(&mut material.tf, self.tf);
-        material.ns = self.ns.unwrap_or(material.ns);
-        material.roughness = self.pr.or(material.roughness);
-        material.metallic = self.pm.unwrap_or(material.metallic);
-        material.ni = self.ni.unwrap_or(material.ni);
-        material.dissolve = self.d.unwrap_or(material.dissolve);
-        material.one_sided = self.one_sided.unwrap_or(material.one_sided);
-        material.illum = self.illum.unwrap_or(material.illum);
+    pub fn apply(&self, material: &mut MtlMaterial) {
+        self.given.iter().for_each(|key| key.copy(&self.numbers, material));
+    }
+
+    fn gives(&self, field: &str) -> bool {
+        self.given.iter().any(|key| key.scene == field)
+    }
+
+    /// Reads the field of a key, where it is there and right.
+    fn read(&mut self, key: &'static Key, fields: &Fields) {
+        let numbers = &mut self.numbers;
+        let between =
+            |node: &Node, range: Range| node.number(range.least.into(), range.most.into()).map(|value| value as f32);
+        let found = match key.value {
+            keys::Value::Colour(colour, at) => fields
+                .read(key.scene, |node| node.colour(colour.most_in_scene().into()))
+                .map(|value| *at(numbers) = value),
+            keys::Value::Number(range, at) => {
+                fields.read(key.scene, |node| between(node, range)).map(|value| *at(numbers) = value)
+            }
+            keys::Value::Optional(range, at) => {
+                fields.read(key.scene, |node| between(node, range)).map(|value| *at(numbers) = Some(value))
+            }
+            keys::Value::Switch(at) => fields.read(key.scene, Node::boolean).map(|value| *at(numbers) = value),
+            keys::Value::Whole(most, at) => {
+                fields.read(key.scene, |node| node.integer(0, most)).map(|value| *at(numbers) = value)
+            }
+        };
+        self.given.extend(found.map(|()| key));
     }
 }
 
@@ -115,10 +125,10 @@ pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
     }
     file.active = fields.read("camera", |node| choose_camera(reader, node, &file.cameras));
     if let Some(node) = fields.get("film") {
-        file.film = read_film(reader, node).unwrap_or_default();
+        read_settings(reader, node, "film", Group::Film, &mut file.settings);
     }
     if let Some(node) = fields.get("render") {
-        file.render = read_render(reader, node).unwrap_or_default();
+        read_settings(reader, node, "render", Group::Render, &mut file.settings);
     }
     file.environment = fields.get("environment").and_then(|node| read_environment(reader, node));
     if let Some(node) = fields.get("materials") {
@@ -252,45 +262,38 @@ fn read_camera(reader: &Reader, node: &Node, path: &str) -> Option<Camera> {
     sound.then_some(camera)
 }
 
-/// `(size: (512, 512), crop: (x0, x1, y0, y1), exposure: 0)`
-fn read_film(reader: &Reader, node: &Node) -> Option<Film> {
-    let default = Film::default();
-    let fields = Fields::open(reader, node, "film")?;
-    let size = fields.read("size", |node| node.integers(1, Film::MAX_SIDE)).map_or(default.size, UVec2::from_array);
-    let crop = fields.read("crop", |node| {
-        let [x0, x1, y0, y1] = node.integers(0, Film::MAX_SIDE)?;
-        let crop = Crop { min: UVec2::new(x0, y0), max: UVec2::new(x1, y1) };
-        if crop.min.cmplt(crop.max).all() && crop.max.cmple(size).all() {
-            return Ok(crop);
-        }
-        Err(format!("expected x0, x1, y0, y1 with x0 < x1 <= {} and y0 < y1 <= {}", size.x, size.y))
-    });
-    let exposure = fields.read("exposure", |node| node.number(-64.0, 64.0)).unwrap_or(0.0) as f32;
+/// `(size: (512, 512), crop: (x0, x1, y0, y1), exposure: 0)`, or `(integrator: Path, sampler: Sobol, ..)`: all optional.
+fn read_settings(reader: &Reader, node: &Node, path: &str, group: Group, settings: &mut Settings) {
+    let Some(fields) = Fields::open(reader, node, path) else { return };
+    for setting in SETTINGS.iter().filter(|setting| setting.group == group) {
+        let size = settings.film.size;
+        fields.read(setting.field, |node| {
+            match setting.value {
+                Value::Whole { least, most, at } => *at(settings) = node.integer(least, most)?,
+                Value::Stops { most, at, .. } => *at(settings) = node.number((-most).into(), most.into())? as f32,
+                Value::Switch(at) => *at(settings) = node.boolean()?,
+                Value::Choice(at) => {
+                    let choice = at(settings);
+                    let words: Vec<_> = choice.words().iter().map(|word| (word.variant, word.value)).collect();
+                    choice.choose(node.one_of(&words)?);
+                }
+                Value::Size(at) => *at(settings) = UVec2::from_array(node.integers(1, Film::MAX_SIDE)?),
+                Value::Crop(at) => *at(settings) = Some(read_crop(node, size)?),
+            }
+            Ok(())
+        });
+    }
     fields.finish();
-    Some(Film { size, crop, exposure })
 }
 
-/// `(integrator: Path, sampler: Sobol, max_depth: 16, roulette: true, energy: Preserve, seed: 0, spp: 64)`
-fn read_render(reader: &Reader, node: &Node) -> Option<Render> {
-    let default = Render::default();
-    let fields = Fields::open(reader, node, "render")?;
-    let render = Render {
-        integrator: fields
-            .read("integrator", |node| node.one_of(&[("Path", Integrator::Path), ("Bsdf", Integrator::Bsdf)]))
-            .unwrap_or(default.integrator),
-        sampler: fields
-            .read("sampler", |node| node.one_of(&[("Sobol", Sampler::Sobol), ("Pcg", Sampler::Pcg)]))
-            .unwrap_or(default.sampler),
-        max_depth: fields.read("max_depth", |node| node.integer(1, Render::MAX_DEPTH)).unwrap_or(default.max_depth),
-        roulette: fields.read("roulette", Node::boolean).unwrap_or(default.roulette),
-        energy: fields
-            .read("energy", |node| node.one_of(&[("Preserve", Energy::Preserve), ("AsWritten", Energy::AsWritten)]))
-            .unwrap_or(default.energy),
-        seed: fields.read("seed", |node| node.integer(0, u32::MAX)).unwrap_or(default.seed),
-        spp: fields.read("spp", |node| node.integer(1, u32::MAX)).unwrap_or(default.spp),
-    };
-    fields.finish();
-    Some(render)
+/// `(x0, x1, y0, y1)` within a picture.
+fn read_crop(node: &Node, size: UVec2) -> Result<Crop, String> {
+    let [x0, x1, y0, y1] = node.integers(0, Film::MAX_SIDE)?;
+    let crop = Crop { min: UVec2::new(x0, y0), max: UVec2::new(x1, y1) };
+    if crop.min.cmplt(crop.max).all() && crop.max.cmple(size).all() {
+        return Ok(crop);
+    }
+    Err(format!("expected x0, x1, y0, y1 with x0 < x1 <= {} and y0 < y1 <= {}", size.x, size.y))
 }
 
 /// `Constant((r, g, b))`, with or without the inner parentheses, or `Constant(grey)`; or `Map(path: "sky.exr", strength: 1)`.
@@ -326,20 +329,9 @@ fn read_map_environment(reader: &Reader, node: &Node) -> Option<EnvironmentEntry
 /// `(kd: (..), ks: (..), ns: 64, ke: (..), ..)`, all optional.
 fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<MaterialEdit> {
     let fields = Fields::open(reader, node, path)?;
-    let edit = MaterialEdit {
-        kd: fields.read("kd", |node| node.colour(1e3)),
-        ks: fields.read("ks", |node| node.colour(1e3)),
-        ns: fields.read("ns", |node| node.number(0.0, 1e5)).map(|value| value as f32),
-        pr: fields.read("pr", |node| node.number(0.0, 1.0)).map(|value| value as f32),
-        pm: fields.read("pm", |node| node.number(0.0, 1.0)).map(|value| value as f32),
-        ke: fields.read("ke", |node| node.colour(1e6)),
-        one_sided: fields.read("one_sided", Node::boolean),
-        ni: fields.read("ni", |node| node.number(1.0, 100.0)).map(|value| value as f32),
-        d: fields.read("d", |node| node.number(0.0, 1.0)).map(|value| value as f32),
-        tf: fields.read("tf", |node| node.colour(1.0)),
-        illum: fields.read("illum", |node| node.integer(0, 10)),
-    };
-    if let Some(node) = fields.get("illum").filter(|_| edit.illum == Some(10)) {
+    let mut edit = MaterialEdit::default();
+    KEYS.iter().for_each(|key| edit.read(key, &fields));
+    if let Some(node) = fields.get("illum").filter(|_| edit.gives("illum") && edit.numbers.illum == 10) {
         let message = format!("{}: a shadow catcher is rendered as a surface for now", fields.path_of("illum"));
         reader.push(node.text.at(Severity::Warning, node.source, message));
     }

@@ -6,51 +6,24 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
+use super::bounds::Bounds;
+use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::file::{DEFAULT_CAMERA, EnvironmentEntry, MaterialEntry, ModelEntry, SceneFile, read_scene};
 use super::kind::Kind;
 use super::locate::{as_written, file_names};
-use super::obj::{Model, read_obj};
+use super::model::{FARTHEST, Imported, Model};
+use super::mtl::MtlMaterial;
+use super::obj::read_obj;
 use super::ron::{Reader, apply_defines, define_texts, parse};
 use super::sky::read_sky;
 use super::suggest::{did_you_mean, known_names};
 use super::text::{Text, missing};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
-use crate::components::{Camera, Environment, Film, Material, MeshData, Passage, Render, Transform};
+use crate::components::{Camera, Environment, Transform};
 
 /// Bytes that a scene file may have.
 const SCENE_LIMIT: u64 = 4 << 20;
-
-/// The greatest coordinate of a model, and in world space: its cube, which a determinant needs, is within f32.
-pub const FARTHEST: f64 = 1e12;
-
-/// A whole scene as plain data, every name a stable key: equal files give equal descriptions.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SceneDescription {
-    /// The scene file's stem.
-    pub name: String,
-    /// By `model/object/part`.
-    pub meshes: BTreeMap<String, MeshEntry>,
-    /// By `model:material`.
-    pub materials: BTreeMap<String, Material>,
-    /// By the name in the scene file; never empty.
-    pub cameras: BTreeMap<String, Camera>,
-    /// The camera that is rendered, a key of `cameras`.
-    pub active: String,
-    pub film: Film,
-    pub render: Render,
-    /// `None` is black.
-    pub environment: Option<Environment>,
-}
-
-/// One mesh: its geometry may be shared with others.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshEntry {
-    pub geometry: Arc<MeshData>,
-    pub transform: Transform,
-    /// A key of the description's materials.
-    pub material: String,
-}
 
 /// What loading gives.
 #[derive(Clone, Debug)]
@@ -115,8 +88,8 @@ impl Loader {
             materials,
             cameras,
             active,
-            film: file.film,
-            render: file.render,
+            film: file.settings.film,
+            render: file.settings.render,
             environment,
         };
         self.warn_of_unseen(&description, &models, scene);
@@ -196,11 +169,13 @@ impl Loader {
         entry: &ModelEntry,
         names: &mut BTreeMap<String, u32>,
         meshes: &mut BTreeMap<String, MeshEntry>,
-        materials: &mut BTreeMap<String, Material>,
+        materials: &mut BTreeMap<String, MtlMaterial>,
     ) -> Option<String> {
         let path = self.find_model(folder, entry)?;
         if !self.models.contains_key(&path) {
-            let model = read_obj(&path, &mut self.diagnostics, &mut self.files);
+            let Imported { model, messages, files } = read_obj(&path);
+            self.diagnostics.list.extend(messages);
+            self.files.extend(files);
             self.models.insert(path.clone(), model);
         }
         let model = self.models.get(&path)?.as_ref()?;
@@ -211,7 +186,7 @@ impl Loader {
         }
         let name = unique(entry.name.clone().unwrap_or_else(|| stem(&path)), names);
         let transform = Transform(entry.transform);
-        for part in &model.parts {
+        for part in &model.meshes {
             let material = format!("{name}:{}", part.material);
             let mesh = MeshEntry { geometry: part.geometry.clone(), transform, material };
             meshes.insert(format!("{name}/{}", part.name), mesh);
@@ -219,8 +194,7 @@ impl Loader {
         for (material, value) in &model.materials {
             materials.insert(format!("{name}:{material}"), value.clone());
         }
-        let (min, max) = model.bounds;
-        let corners = corners(min, max).map(|corner| entry.transform.transform_point3(corner));
+        let corners = model.bounds.corners().map(|corner| entry.transform.transform_point3(corner));
         if !corners.iter().all(|corner| corner.abs().max_element() <= FARTHEST) {
             let message = format!("this model reaches beyond {FARTHEST:e} units in world space");
             let help = "scale it down: single precision can't hold such distances";
@@ -261,14 +235,14 @@ impl Loader {
     }
 
     /// Applies one entry of the scene file's `materials`: to a full key, or to every model's material of that name.
-    fn edit_materials(&mut self, entry: &MaterialEntry, materials: &mut BTreeMap<String, Material>) {
+    fn edit_materials(&mut self, entry: &MaterialEntry, materials: &mut BTreeMap<String, MtlMaterial>) {
         let mut found = false;
         for (key, material) in materials.iter_mut() {
             if *key == entry.name || bare(key) == entry.name {
                 let glass = entry.edit.asks_for_glass();
                 entry.edit.apply(material);
                 found = true;
-                if glass && material.passage() != Passage::Glass {
+                if glass && !material.is_glass() {
                     let (illum, look) = (material.illum, material.appearance().kind);
                     let message = format!("`illum {illum}` alone makes no glass of `{key}`, which is {look}");
                     let warning = Diagnostic { message, severity: Severity::Warning, ..entry.place.clone() };
@@ -310,30 +284,20 @@ fn unique(name: String, names: &mut BTreeMap<String, u32>) -> String {
     unique(numbered, names)
 }
 
-/// The eight corners of a box.
-pub fn corners(min: DVec3, max: DVec3) -> [DVec3; 8] {
-    std::array::from_fn(|i| {
-        let pick = |axis: usize| if i >> axis & 1 == 0 { min[axis] } else { max[axis] };
-        DVec3::new(pick(0), pick(1), pick(2))
-    })
-}
-
 /// A camera that sees all meshes, from the front, a little right and above.
 fn default_camera(meshes: &BTreeMap<String, MeshEntry>, file: &SceneFile) -> BTreeMap<String, Camera> {
-    let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for mesh in meshes.values() {
-        for corner in &mesh.geometry.triangles {
-            for index in corner {
-                let point = mesh.transform.0.transform_point3(mesh.geometry.positions[*index as usize]);
-                (min, max) = (min.min(point), max.max(point));
-            }
-        }
-    }
-    let empty = min.cmpgt(max).any();
-    let (centre, radius) =
-        if empty { (DVec3::ZERO, 1.0) } else { ((min + max) / 2.0, ((max - min).length() / 2.0).max(1e-9)) };
+    let points = meshes.values().flat_map(|mesh| {
+        let used = mesh.geometry.triangles.iter().flatten();
+        used.map(|index| mesh.transform.0.transform_point3(mesh.geometry.positions[*index as usize]))
+    });
+    let bounds = Bounds::of(points);
+    let Bounds { low, high } = bounds;
+    let (centre, radius) = match bounds.is_empty() {
+        true => (DVec3::ZERO, 1.0),
+        false => ((low + high) / 2.0, ((high - low).length() / 2.0).max(1e-9)),
+    };
     let fov_y = 40.0_f64;
-    let aspect = f64::from(file.film.size.x) / f64::from(file.film.size.y);
+    let aspect = f64::from(file.settings.film.size.x) / f64::from(file.settings.film.size.y);
     let half = (fov_y.to_radians() / 2.0).tan() * aspect.min(1.0);
     let distance = radius / half.atan().sin();
     let position = centre + DVec3::new(0.4, 0.3, 1.0).normalize() * distance;

@@ -6,19 +6,24 @@
 //! Whatever a file can't be taken at its word for is an error or a warning at its line and column, never a silent default.
 
 mod apply;
+mod bounds;
 mod check;
 mod describe;
+mod description;
 mod diagnostic;
 mod file;
 mod find;
 pub mod generate;
+mod keys;
 mod kind;
 mod lines;
 mod load;
 mod locate;
+mod model;
 mod mtl;
 mod obj;
 mod ron;
+pub mod settings;
 mod sky;
 mod suggest;
 mod text;
@@ -28,8 +33,11 @@ mod unseen;
 pub use apply::{apply, apply_changes};
 pub use check::{Checked, Row, Table, check};
 pub use describe::describe;
+pub use description::{MeshEntry, SceneDescription};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use find::{find, names};
-pub use load::{Loaded, MeshEntry, SceneDescription, attempt, load};
+pub use keys::{Colour, KEYS, Key, Range, Value};
+pub use load::{Loaded, attempt, load};
+pub use mtl::{Appearance, MtlMaterial, TextureMaps};
 pub use triangulate::triangulate;
 pub use unseen::unseen_by;

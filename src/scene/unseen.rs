@@ -4,9 +4,10 @@ use std::path::Path;
 
 use glam::{DVec2, DVec3};
 
+use super::bounds::Bounds;
+use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Severity};
-use super::load::{MeshEntry, SceneDescription, corners};
-use crate::components::{Camera, Material, MeshData};
+use crate::components::{Camera, MeshData};
 
 /// Triangles whose height is less than this part of their longest side have no area: their corners, of 53 bits, lie on a line.
 const FLAT: f64 = 1e-15;
@@ -70,7 +71,7 @@ fn model_of(mesh: &str) -> &str {
 }
 
 fn is_hidden(description: &SceneDescription, mesh: &MeshEntry) -> bool {
-    description.materials.get(&mesh.material).is_some_and(Material::is_invisible)
+    description.materials.get(&mesh.material).is_some_and(|material| material.material().is_invisible())
 }
 
 /// Whether no triangle has an area.
@@ -86,10 +87,8 @@ fn is_flat(mesh: &MeshData) -> bool {
 
 /// The corners of the box around a mesh; none where it has no points.
 fn bounds(mesh: &MeshData) -> Option<[DVec3; 8]> {
-    let points = mesh.positions.iter();
-    let (min, max) =
-        points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(min, max), point| (min.min(*point), max.max(*point)));
-    min.cmple(max).all().then(|| corners(min, max))
+    let bounds = Bounds::of(mesh.positions.iter().copied());
+    (!bounds.is_empty()).then(|| bounds.corners())
 }
 
 /// What a camera sees: the space in front of it, between four planes through it.

@@ -9,13 +9,15 @@ mod specular;
 mod tilted;
 
 use glam::{DVec3, Vec3, Vec4};
+use lucerna::components::{Energy, Lobe, Material};
 use lucerna::cpu::bsdf::{ShadingFrame, Specular};
 use lucerna::gpu::Runtime;
 use lucerna::gpu_struct;
 use lucerna::layout::GpuConst;
-use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector};
+use lucerna::layout::trace::MaterialRecord;
 use lucerna::passes::trace::Needs;
 use lucerna::passes::{Binding, Pass, Recording, Size};
+use lucerna::prepare::material;
 use lucerna::shader::Library;
 
 use crate::support;
@@ -159,29 +161,30 @@ fn draws(rig: &mut Runtime, probe: &BsdfProbe) -> Vec<Draw> {
 }
 
 /// A surface seen at an angle from a normal that is along no axis.
-fn look(values: &Reflector, degrees: f64) -> BsdfProbe {
+fn look(values: &Material, degrees: f64) -> BsdfProbe {
+    let exponent = if let Lobe::Phong(exponent) = values.lobe { exponent } else { 0.0 };
     let normal = DVec3::new(0.36, -0.48, 0.8).normalize();
     let side = DVec3::new(0.8, 0.6, 0.0);
     let wo = normal * degrees.to_radians().cos() + side * degrees.to_radians().sin();
     BsdfProbe {
-        material: MaterialRecord::pack(values, EnergyRule::Preserve),
+        material: material::pack(values, Energy::Preserve),
         wo: wo.normalize().as_vec3(),
         normal: normal.as_vec3(),
         geometric: normal.as_vec3(),
         count: 1 << 20,
-        seed: (values.ns as u32).wrapping_mul(31) ^ degrees as u32,
+        seed: (exponent as u32).wrapping_mul(31) ^ degrees as u32,
         ..BsdfProbe::default()
     }
 }
 
 /// A material of a diffuse and a specular lobe.
 fn probe(kd: f32, ks: f32, lobe: Specular, degrees: f64) -> BsdfProbe {
-    let mut values = Reflector { kd: Vec3::splat(kd), ks: Vec3::new(ks, 0.5 * ks, ks), ..Reflector::default() };
-    match lobe {
-        Specular::Phong(ns) => values.ns = ns as f32,
-        Specular::Ggx(alpha) => values.roughness = Some(alpha.sqrt() as f32),
-        Specular::Mirror => values.mirror = true,
-    }
+    let mut values = Material { diffuse: Vec3::splat(kd), specular: Vec3::new(ks, 0.5 * ks, ks), ..Material::BLACK };
+    values.lobe = match lobe {
+        Specular::Phong(ns) => Lobe::Phong(ns as f32),
+        Specular::Ggx(alpha) => Lobe::Ggx(alpha.sqrt() as f32),
+        Specular::Mirror => Lobe::Mirror,
+    };
     look(&values, degrees)
 }
 

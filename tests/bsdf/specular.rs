@@ -1,17 +1,17 @@
 //! Lobes of a single direction: mirror, dielectric, and what passes straight through.
 
 use glam::{DVec3, Vec3};
+use lucerna::components::{Material, Passage};
 use lucerna::cpu::bsdf::dielectric::Interface;
 use lucerna::cpu::bsdf::{Reflection, Specular, mirror};
 use lucerna::cpu::rng::{sample_1d, sample_2d, sample_key};
 use lucerna::gpu::Runtime;
-use lucerna::layout::trace::Reflector;
 
 use super::{BsdfProbe, SPLIT, draws, frame, library, look, probe, rig, run};
 use crate::support;
 
 fn glass(ni: f32, tf: Vec3, degrees: f64, back_face: bool) -> BsdfProbe {
-    let values = Reflector { dielectric: true, ni, tf, kd: Vec3::ONE, opacity: 0.5, ..Reflector::default() };
+    let values = Material { passage: Passage::Glass(ni), filter: tf, diffuse: Vec3::ONE, ..Material::BLACK };
     BsdfProbe { back_face: u32::from(back_face), count: 1 << 14, ..look(&values, degrees) }
 }
 
@@ -114,7 +114,12 @@ fn glass_draws_equal_the_twin() {
 #[test]
 fn as_much_passes_as_is_not_opaque() {
     let mut rig = rig();
-    let values = Reflector { kd: Vec3::splat(0.5), opacity: 0.3, tf: Vec3::new(1.0, 0.5, 0.0), ..Reflector::default() };
+    let values = Material {
+        diffuse: Vec3::splat(0.5),
+        passage: Passage::SeeThrough(0.3),
+        filter: Vec3::new(1.0, 0.5, 0.0),
+        ..Material::BLACK
+    };
     let probe = BsdfProbe { count: 1 << 18, ..look(&values, 30.0) };
     let all = draws(&mut rig, &probe);
     let (through, rest): (Vec<_>, Vec<_>) = all.iter().partition(|draw| draw.pdf == 0.0);

@@ -3,11 +3,11 @@
 use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3};
+use lucerna::components::{Material, Passage};
 use lucerna::cpu::bsdf::Specular::{Ggx, Mirror, Phong};
 use lucerna::cpu::bsdf::{Reflection, Specular};
 use lucerna::cpu::rng::{sample_1d, sample_2d, sample_key};
 use lucerna::gpu::Runtime;
-use lucerna::layout::trace::Reflector;
 
 use super::cells::Cells;
 use super::{ALBEDO, BsdfProbe, draws, frame, leaning, library, look, probe, rig, run};
@@ -152,7 +152,7 @@ fn glass_sends_all_light_to_the_right_sides() {
     for ni in [1.0, 1.1, 1.5, 2.4] {
         for back_face in [false, true] {
             for (degrees, lean, turn) in LEANS {
-                let values = Reflector { dielectric: true, ni, tf: Vec3::ONE, ..Reflector::default() };
+                let values = Material { passage: Passage::Glass(ni), filter: Vec3::ONE, ..Material::BLACK };
                 let view = BsdfProbe { back_face: u32::from(back_face), count: 1 << 10, ..look(&values, degrees) };
                 let probe = leaning(view, lean, turn);
                 let (view, reflection) = (frame(&probe), Reflection::from(&probe.material));

@@ -30,7 +30,7 @@ fn shipped(name: &str, side: u32) -> SceneDescription {
 /// The Cornell box without its light, and a thousand small ones in a grid below its ceiling, in three colours.
 fn thousand_lights(side: u32) -> SceneDescription {
     let mut description = shipped("cornell-box", side);
-    description.materials.values_mut().for_each(|material| material.emission = Vec3::ZERO);
+    description.materials.values_mut().for_each(|material| material.ke = Vec3::ZERO);
     for (colour, emission) in
         [Vec3::new(9.0, 2.0, 1.0), Vec3::new(1.0, 8.0, 2.0), Vec3::new(2.0, 3.0, 30.0)].into_iter().enumerate()
     {
@@ -41,7 +41,7 @@ fn thousand_lights(side: u32) -> SceneDescription {
             .map(|at| [at, at + 0.01 * Vec3::X, at + 0.01 * (Vec3::Z + 0.3 * Vec3::Y)])
             .collect();
         let name = format!("lamps:{colour}");
-        description.materials.insert(name.clone(), Material { emission, ..matte(Vec3::splat(0.3)) });
+        description.materials.insert(name.clone(), Material { emission, ..matte(Vec3::splat(0.3)) }.into());
         let geometry = Arc::new(to_mesh(&triangles));
         let mesh = MeshEntry { geometry, transform: Transform::default(), material: name };
         description.meshes.insert(format!("lamps/{colour}"), mesh);

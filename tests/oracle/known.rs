@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec3, UVec2, Vec3};
-use lucerna::components::{Environment, Material};
+use lucerna::components::{Environment, Material, Passage};
 use lucerna::oracle::Oracle;
 
 use crate::statistics::{BATCHES, Pairs, agree};
@@ -39,14 +39,14 @@ fn closed_furnace_is_a_geometric_series() {
 #[test]
 fn a_shell_of_index_one_and_a_clear_veil_are_invisible() {
     for material in [
-        Material { ni: 1.0, dissolve: 0.0, tf: Vec3::ONE, ..glass() },
-        Material { dissolve: 0.0, tf: Vec3::ONE, ..veil() },
+        Material { passage: Passage::Glass(1.0), filter: Vec3::ONE, ..glass() },
+        Material { passage: Passage::SeeThrough(0.0), filter: Vec3::ONE, ..veil() },
     ] {
         let picture = |ball: bool| {
             let mut stage = Stage::new(SMALL, 4, DVec3::Z * 3.0, DVec3::ZERO);
             stage.sky(sky_map());
             if ball {
-                stage.ball(DVec3::ZERO, 0.9, material.clone());
+                stage.ball(DVec3::ZERO, 0.9, material);
             }
             stage.oracle().render(0..4, 1, 1, &|_, _| ())
         };
@@ -64,7 +64,7 @@ fn glass_gives_back_the_sky_around_it() {
     for (axis, outward) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0), (2, 1.0), (2, -1.0)] {
         let (e, f) = (Vec3::AXES[(axis + 1) % 3] * outward, Vec3::AXES[(axis + 2) % 3]);
         let corner = Vec3::AXES[axis] * outward - e - f;
-        stage.part(&quad(0.6 * corner, 1.2 * e, 1.2 * f), Material { tf: Vec3::ONE, ..glass() });
+        stage.part(&quad(0.6 * corner, 1.2 * e, 1.2 * f), Material { filter: Vec3::ONE, ..glass() });
     }
     stage.sky(Environment::Constant(Vec3::ONE));
     for pixel in stage.oracle().render(0..16, 1, 2, &|_, _| ()).mean {

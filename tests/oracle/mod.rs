@@ -9,7 +9,7 @@ mod surfaces;
 
 use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec3};
-use lucerna::components::Material;
+use lucerna::components::{Lobe, Material, Passage};
 use lucerna::oracle::{Oracle, Picture};
 
 use crate::statistics::{BATCHES, Pairs, agree};
@@ -50,22 +50,23 @@ fn compare(
 const SMALL: UVec2 = UVec2::new(16, 8);
 
 fn shiny() -> Material {
-    Material { kd: Vec3::splat(0.4), ks: Vec3::splat(0.4), ns: 20.0, ..Material::default() }
+    Material { diffuse: Vec3::splat(0.4), specular: Vec3::splat(0.4), lobe: Lobe::Phong(20.0), ..Material::default() }
 }
 
 fn rough() -> Material {
-    let (kd, ks) = (Vec3::new(0.5, 0.4, 0.2), Vec3::splat(0.3));
-    Material { kd, ks, roughness: Some(0.6), metallic: 0.5, ..Material::default() }
+    let (diffuse, specular) = (Vec3::new(0.5, 0.4, 0.2), Vec3::splat(0.3));
+    Material { diffuse, specular, lobe: Lobe::Ggx(0.6), metallic: 0.5, ..Material::default() }
 }
 
 fn mirror() -> Material {
-    Material { kd: Vec3::splat(0.1), ks: Vec3::splat(0.8), illum: 3, ..Material::default() }
+    Material { diffuse: Vec3::splat(0.1), specular: Vec3::splat(0.8), lobe: Lobe::Mirror, ..Material::default() }
 }
 
 fn glass() -> Material {
-    Material { illum: 4, ni: 1.5, tf: Vec3::new(0.9, 1.0, 0.8), ..Material::default() }
+    Material { passage: Passage::Glass(1.5), filter: Vec3::new(0.9, 1.0, 0.8), ..Material::default() }
 }
 
 fn veil() -> Material {
-    Material { kd: Vec3::new(0.7, 0.5, 0.3), dissolve: 0.4, tf: Vec3::new(1.0, 0.8, 0.9), ..Material::default() }
+    let passage = Passage::SeeThrough(0.4);
+    Material { diffuse: Vec3::new(0.7, 0.5, 0.3), passage, filter: Vec3::new(1.0, 0.8, 0.9), ..Material::default() }
 }

@@ -3,9 +3,10 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec3, Vec3};
-use lucerna::components::{Energy, Material};
+use lucerna::components::{Energy, Lobe, Material};
 use lucerna::oracle::Random;
 use lucerna::oracle::bsdf::{Bsdf, Facing};
+use lucerna::scene::MtlMaterial;
 
 use super::{glass, rough, veil};
 
@@ -53,8 +54,13 @@ fn drawn(bsdf: &Bsdf, facing: &Facing, draws: u32, seed: u64) -> (DVec3, DVec3, 
 
 #[test]
 fn draws_carry_what_quadrature_says() {
-    let plain = |ks: f32, ns: f32| Material { kd: Vec3::splat(0.3), ks: Vec3::splat(ks), ns, ..Material::default() };
-    let ggx = |pr: f32| Material { roughness: Some(pr), ..plain(0.7, 1.0) };
+    let plain = |specular: f32, exponent: f32| Material {
+        diffuse: Vec3::splat(0.3),
+        specular: Vec3::splat(specular),
+        lobe: Lobe::Phong(exponent),
+        ..Material::default()
+    };
+    let ggx = |roughness: f32| Material { lobe: Lobe::Ggx(roughness), ..plain(0.7, 1.0) };
     let surfaces = [
         plain(0.0, 1.0),
         plain(0.5, 0.0),
@@ -110,7 +116,7 @@ fn glass_reflects_and_refracts_by_the_laws() {
                 assert_eq!((draw.wi.x, draw.wi.z, draw.weight), (-facing.wo.x, facing.wo.z, DVec3::ONE));
             } else {
                 assert!((draw.wi.x + sin / index).abs() < 1e-12, "Snell's law at {degrees}");
-                let kept = glass().tf.as_dvec3() / (index * index);
+                let kept = glass().filter.as_dvec3() / (index * index);
                 assert!((draw.weight - kept).abs().max_element() < 1e-12);
             }
         }
@@ -122,15 +128,16 @@ fn glass_reflects_and_refracts_by_the_laws() {
 
 #[test]
 fn illum_means_here_what_it_means_in_the_engine() {
-    let plain = Material { kd: Vec3::new(0.8, 0.1, 0.1), ks: Vec3::splat(0.1), ..Material::default() };
+    let plain = MtlMaterial { kd: Vec3::new(0.8, 0.1, 0.1), ks: Vec3::splat(0.1), ..MtlMaterial::default() };
     let facing = seen_at(30.0);
-    let value =
-        |material: &Material| Bsdf::new(material, Energy::Preserve).evaluate(&facing, DVec3::new(0.6, 0.0, 0.8));
+    let value = |numbers: &MtlMaterial| {
+        Bsdf::new(&numbers.material(), Energy::Preserve).evaluate(&facing, DVec3::new(0.6, 0.0, 0.8))
+    };
     for illum in [4, 6, 7, 9] {
-        assert_eq!(value(&Material { illum, ..plain.clone() }), value(&plain), "illum {illum} alone makes no glass");
-        assert_eq!(value(&Material { illum, ni: 1.5, ..plain.clone() }).1, 0.0, "illum {illum}, Ni 1.5 is glass");
+        assert_eq!(value(&MtlMaterial { illum, ..plain.clone() }), value(&plain), "illum {illum} alone makes no glass");
+        assert_eq!(value(&MtlMaterial { illum, ni: 1.5, ..plain.clone() }).1, 0.0, "illum {illum}, Ni 1.5 is glass");
     }
-    let mirror = |illum| value(&Material { illum, ..plain.clone() });
+    let mirror = |illum| value(&MtlMaterial { illum, ..plain.clone() });
     assert_ne!(mirror(3), value(&plain));
     assert_eq!([mirror(5), mirror(8)], [mirror(3); 2]);
 }

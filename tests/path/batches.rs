@@ -1,7 +1,9 @@
 //! A sample is a function of seed, pixel and number alone.
 
 use glam::UVec2;
+use lucerna::components::Crop;
 use lucerna::layout::trace::TraceParams;
+use lucerna::prepare::camera;
 
 use crate::rooms::Room;
 use crate::support;
@@ -25,7 +27,7 @@ fn samples_do_not_depend_on_batch_or_crop() {
     for (min, max) in [((0, 0), (1, 1)), ((5, 3), (16, 12)), ((20, 12), (21, 13))] {
         let (min, max) = (UVec2::from(min), UVec2::from(max));
         let mut cropped = params;
-        cropped.crop(min, max);
+        camera::crop(&mut cropped, Crop { min, max });
         let size = max - min;
         for (i, sample) in samples(&mut rig, &cropped).into_iter().enumerate() {
             let i = i as u32;

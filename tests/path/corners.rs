@@ -1,9 +1,10 @@
 //! No path leaves a closed room, however its walls lie: rays that leave from where two walls meet.
 
 use glam::{DQuat, DVec3, UVec2, Vec3};
+use lucerna::components::Camera;
 use lucerna::gpu::Runtime;
 use lucerna::layout::trace::TraceParams;
-use lucerna::passes::trace::View;
+use lucerna::prepare::camera;
 use lucerna::scene::generate::SplitMix;
 use lucerna::shader::Library;
 
@@ -70,9 +71,9 @@ fn escapes_at_edges(library: impl Fn() -> Library) -> usize {
         let edges = (0..n).flat_map(|i| [(i, (i + 1) % n), (n + i, n + (i + 1) % n), (i, n + i)]);
         for (a, b) in edges {
             let look_at = corners[a].lerp(corners[b], 0.37);
-            let view = View { position: middle, look_at, up: (corners[b] - corners[a]).normalize(), fov_y: 1e-5 };
+            let view = Camera { position: middle, look_at, up: (corners[b] - corners[a]).normalize(), fov_y: 1e-5 };
             let mut params = TraceParams { layers: 4, max_depth: 5, ..room.params(UVec2::splat(16)) };
-            params.aim(&view, UVec2::splat(16), DVec3::ZERO);
+            camera::aim(&mut params, &view, UVec2::splat(16), DVec3::ZERO);
             escaped += escapes(library(), &room, &params);
         }
     }

@@ -1,9 +1,10 @@
 //! Samples that are no radiance, and where they say it began.
 
 use glam::{DVec3, UVec2, Vec3};
+use lucerna::components::Camera;
 use lucerna::gpu::Runtime;
 use lucerna::layout::trace::{NO_MATERIAL, RadianceSample, SAMPLE_BAD, TraceParams};
-use lucerna::passes::trace::View;
+use lucerna::prepare::camera;
 use lucerna::shader::Library;
 
 use crate::rooms::{Room, matte};
@@ -25,8 +26,9 @@ fn bad_samples_say_where_they_went_wrong() {
         let mut params = TraceParams { layers: 2, ..inside(&room, size, 3) };
         // Into the edge of the broken wall and a good one.
         let edge = DVec3::new(1.0, 0.0, -1.0);
-        params.aim(&View { position: DVec3::ZERO, look_at: edge, up: DVec3::Y, fov_y: 42.0 }, size, DVec3::ZERO);
-        params.fit_film(40);
+        let view = Camera { position: DVec3::ZERO, look_at: edge, up: DVec3::Y, fov_y: 42.0 };
+        camera::aim(&mut params, &view, size, DVec3::ZERO);
+        camera::fit_film(&mut params, 40);
         let mut by_bounce = [0; 3];
         for sample in samples(&mut rig, &params) {
             if sample.info & SAMPLE_BAD == 0 {
@@ -45,7 +47,7 @@ fn bad_samples_say_where_they_went_wrong() {
     let mut rig = support::rig();
     room.load(&mut rig);
     let mut params = room.params(UVec2::ONE);
-    params.fit_film(40);
+    camera::fit_film(&mut params, 40);
     let sample = samples(&mut rig, &params)[0];
     assert_eq!(sample, RadianceSample { rgb: Vec3::new(4.0, 0.0, NO_MATERIAL as f32), info: 1 | SAMPLE_BAD });
 }

@@ -2,8 +2,10 @@
 //! place, lamps in the plane of their ceiling.
 
 use glam::{UVec2, Vec3};
+use lucerna::components::{Energy, Material};
 use lucerna::gpu::Runtime;
-use lucerna::layout::trace::{EnergyRule, MaterialRecord, Reflector, TraceParams};
+use lucerna::layout::trace::TraceParams;
+use lucerna::prepare::material;
 use lucerna::shader::Library;
 
 use crate::rooms::{Room, matte};
@@ -33,8 +35,8 @@ impl Stage {
         let (x, z) = (Vec3::X * self.scale, Vec3::Z * self.scale);
         room.quad(place(Vec3::new(-2.0, 0.0, 2.0)), 4.0 * x, -4.0 * z, floor);
         for emission in &self.lamps {
-            let glow = Reflector { emission: *emission, one_sided: self.one_sided, ..Reflector::default() };
-            let lamp = room.material(MaterialRecord::pack(&glow, EnergyRule::Preserve));
+            let glow = Material { emission: *emission, one_sided: self.one_sided, ..Material::BLACK };
+            let lamp = room.material(material::pack(&glow, Energy::Preserve));
             room.quad(place(Vec3::new(-1.5, 1.0, -1.5)), 3.0 * x, 3.0 * z, lamp);
         }
         if let Some(gap) = self.gap {

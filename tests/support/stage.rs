@@ -17,11 +17,11 @@ pub struct Stage {
 }
 
 pub fn matte(kd: Vec3) -> Material {
-    Material { kd, ..Material::default() }
+    Material { diffuse: kd, ..Material::default() }
 }
 
 pub fn glowing(emission: Vec3) -> Material {
-    Material { kd: Vec3::ZERO, emission, ..Material::default() }
+    Material { diffuse: Vec3::ZERO, emission, ..Material::default() }
 }
 
 /// The parallelogram of a corner and two edges; its normal is their cross product.

@@ -38,7 +38,7 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let begin = Instant::now();
     let Opened { path, mut description, files } = arguments.flags.open(&arguments.scene, arguments.quiet)?;
-    if arguments.time.is_some() && arguments.flags.spp.is_none() {
+    if arguments.time.is_some() && !arguments.flags.settings.gives("spp") {
         // The scene's own number of samples is no limit.
         description.render.spp = u32::MAX;
     }
@@ -121,7 +121,7 @@ fn trace(
 ) -> Result<Ended, Failure> {
     let size = description.film.window().size();
     let pixels = u64::from(size.x) * u64::from(size.y);
-    let by_samples = arguments.time.is_none() || arguments.flags.spp.is_some();
+    let by_samples = arguments.time.is_none() || arguments.flags.settings.gives("spp");
     let goal = Goal {
         samples: by_samples.then(|| pixels.saturating_mul(u64::from(description.render.spp))),
         seconds: arguments.time,

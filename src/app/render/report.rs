@@ -5,10 +5,11 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::arguments::RenderArguments;
-use crate::components::{Crop, Energy, Integrator, Sampler};
+use crate::components::Crop;
 use crate::engine::{FilmImage, Report};
 use crate::layout::film::BadSample;
 use crate::scene::SceneDescription;
+use crate::scene::settings::{Named, SETTINGS, Setting, Settings};
 
 /// Wall-clock seconds of the phases.
 #[derive(Clone, Copy, Debug, Default)]
@@ -42,7 +43,7 @@ impl RenderSummary<'_> {
         let scene = self.description;
         let defines: Vec<String> =
             self.arguments.flags.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
-        vec![
+        let mut data = vec![
             ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
             ("scene", self.path.display().to_string()),
             ("defines", defines.join("; ")),
@@ -50,16 +51,10 @@ impl RenderSummary<'_> {
             ("size", format!("{}x{}", scene.film.size.x, scene.film.size.y)),
             ("crop", crop(self.film.window)),
             ("spp", self.film.spp.to_string()),
-            ("seed", scene.render.seed.to_string()),
-            ("integrator", integrator(scene.render.integrator).to_owned()),
-            ("sampler", sampler(scene.render.sampler).to_owned()),
-            ("max_depth", scene.render.max_depth.to_string()),
-            ("roulette", switch(scene.render.roulette).to_owned()),
-            ("energy", energy(scene.render.energy).to_owned()),
-            ("exposure", scene.film.exposure.to_string()),
-            ("adapter", self.report.adapter.clone()),
-            ("repeat", self.repeat()),
-        ]
+        ];
+        data.extend(settings(scene).map(|(setting, text)| (setting.field, text)));
+        data.extend([("adapter", self.report.adapter.clone()), ("repeat", self.repeat())]);
+        data
     }
 
     /// A command line that gives the same film again.
@@ -74,12 +69,11 @@ impl RenderSummary<'_> {
             option("--crop", crop(self.film.window));
         }
         option("--camera", scene.active.clone());
-        option("--seed", scene.render.seed.to_string());
-        option("--integrator", integrator(scene.render.integrator).to_owned());
-        option("--sampler", sampler(scene.render.sampler).to_owned());
-        option("--max-depth", scene.render.max_depth.to_string());
-        option("--roulette", switch(scene.render.roulette).to_owned());
-        option("--exposure", scene.film.exposure.to_string());
+        for (setting, text) in settings(scene) {
+            if let Some(flag) = setting.flag {
+                option(&format!("--{}", flag.name), text);
+            }
+        }
         for (key, value) in &self.arguments.flags.define {
             option("-D", format!("{key}={value}"));
         }
@@ -107,11 +101,11 @@ impl RenderSummary<'_> {
             "nodes": report.nodes,
             "camera": scene.active,
             "seed": scene.render.seed,
-            "integrator": integrator(scene.render.integrator),
-            "sampler": sampler(scene.render.sampler),
+            "integrator": scene.render.integrator.name(),
+            "sampler": scene.render.sampler.name(),
             "max_depth": scene.render.max_depth,
             "roulette": scene.render.roulette,
-            "energy": energy(scene.render.energy),
+            "energy": scene.render.energy.variant(),
             "exposure": scene.film.exposure,
             "repeat": self.repeat(),
             "interrupted": self.interrupted,
@@ -209,29 +203,11 @@ fn crop(window: Crop) -> String {
     format!("{},{},{},{}", window.min.x, window.max.x, window.min.y, window.max.y)
 }
 
-pub fn integrator(integrator: Integrator) -> &'static str {
-    match integrator {
-        Integrator::Path => "path",
-        Integrator::Bsdf => "bsdf",
-    }
-}
-
-pub fn sampler(sampler: Sampler) -> &'static str {
-    match sampler {
-        Sampler::Sobol => "sobol",
-        Sampler::Pcg => "pcg",
-    }
-}
-
-pub fn energy(energy: Energy) -> &'static str {
-    match energy {
-        Energy::Preserve => "Preserve",
-        Energy::AsWritten => "AsWritten",
-    }
-}
-
-pub fn switch(on: bool) -> &'static str {
-    if on { "on" } else { "off" }
+/// All settings but those that a film has of its own: field, and value as its flag has it.
+pub fn settings(scene: &SceneDescription) -> impl Iterator<Item = (&'static Setting, String)> {
+    let settings = Settings { film: scene.film, render: scene.render };
+    let others = SETTINGS.iter().filter(|setting| !["spp", "size", "crop"].contains(&setting.field));
+    others.map(move |setting| (setting, setting.text(&settings)))
 }
 
 /// A word as a POSIX shell takes it.

@@ -13,9 +13,7 @@ use crate::app::failure::show;
 use crate::app::output;
 use crate::components::{Camera, Film};
 use crate::engine::EngineError;
-
-/// Stops of exposure, either way: what a scene file may say.
-const MOST_STOPS: f32 = 64.0;
+use crate::scene::settings::MOST_STOPS;
 
 /// The nearest that zooming comes to its target, and the farthest that it goes, in sizes of the scene.
 const ZOOM_RANGE: [f64; 2] = [1e-4, 1e3];

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use super::navigate;
 use crate::app::render::report;
-use crate::components::Film;
 use crate::engine::FilmImage;
 use crate::image::{Kind, Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
@@ -36,22 +35,15 @@ pub fn save(folder: &Path, scene: &SceneDescription, adapter: &str, film: &FilmI
 
 /// What it takes to come back to this picture. The camera is as it was moved, as a line for the scene file.
 fn metadata(scene: &SceneDescription, adapter: &str, film: &FilmImage) -> Vec<(&'static str, String)> {
-    let render = &scene.render;
     let camera = scene.cameras.get(&scene.active).map(|camera| navigate::to_ron(&scene.active, camera));
-    let Film { exposure, .. } = scene.film;
-    vec![
+    let mut data = vec![
         ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
         ("scene", scene.name.clone()),
         ("camera", camera.unwrap_or_default()),
         ("size", format!("{}x{}", film.size.x, film.size.y)),
         ("spp", film.spp.to_string()),
-        ("seed", render.seed.to_string()),
-        ("integrator", report::integrator(render.integrator).to_owned()),
-        ("sampler", report::sampler(render.sampler).to_owned()),
-        ("max_depth", render.max_depth.to_string()),
-        ("roulette", report::switch(render.roulette).to_owned()),
-        ("energy", report::energy(render.energy).to_owned()),
-        ("exposure", exposure.to_string()),
-        ("adapter", adapter.to_owned()),
-    ]
+    ];
+    data.extend(report::settings(scene).map(|(setting, text)| (setting.field, text)));
+    data.push(("adapter", adapter.to_owned()));
+    data
 }

@@ -1,34 +1,22 @@
 //! A material while its statements are read, and what they come to in the end.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use glam::Vec3;
 
-use super::exporter::Habits;
 use super::maps;
-use super::values::{BRIGHTEST, colour, reflectance, scalar};
-use crate::components::{Material, Passage, TextureMaps};
+use super::material::{MtlMaterial, TextureMaps};
+use super::values::{colour, reflectance, scalar, whole};
 use crate::scene::diagnostic::{Diagnostic, Tally};
-use crate::scene::lines::{Line, words};
-use crate::scene::suggest::did_you_mean;
+use crate::scene::keys::{Colour, Key, Value, suggest_statement};
+use crate::scene::lines::Line;
 
-/// Greatest exponent of the Phong lobe.
-const SHARPEST: f32 = 1e5;
-
-/// Statements we know, for suggestions.
-const KNOWN: &[&str] = &[
-    "newmtl",
-    "Ka",
-    "Kd",
-    "Ks",
-    "Ke",
+/// Statements beside the keys, for suggestions: those that come before them, and after.
+const FIRST: &[&str] = &["newmtl", "Ka"];
+const LAST: &[&str] = &[
     "Le",
-    "Ns",
-    "Ni",
-    "d",
     "Tr",
-    "Tf",
-    "illum",
     "map_Ka",
     "map_Kd",
     "map_Ks",
@@ -37,8 +25,6 @@ const KNOWN: &[&str] = &[
     "map_d",
     "map_Bump",
     "bump",
-    "Pr",
-    "Pm",
     "norm",
     "disp",
     "decal",
@@ -46,24 +32,29 @@ const KNOWN: &[&str] = &[
     "sharpness",
 ];
 
-/// One material so far: what was given, each with the statement's place (a warning that lacks its message).
+/// `illum` of a surface with highlights, and nothing else.
+const HIGHLIGHTS: u32 = 2;
+
+/// How a library is to be read, by all that is in it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Habits {
+    /// `Tr`, where there is no `d`, is opacity: as transparency it would hide most of the library.
+    pub tr_is_opacity: bool,
+    /// One `illum` and one `Ni` are on all materials, of whatever colour: they make no glass.
+    pub glass_is_constant: bool,
+}
+
+/// One material so far. Places are warnings that lack their message.
 #[derive(Debug)]
 pub struct Draft {
     name: String,
     place: Diagnostic,
-    kd: Option<Vec3>,
-    ks: Option<Vec3>,
-    ns: Option<f32>,
-    ke: Option<(Vec3, Diagnostic)>,
+    /// What keys were given, over the default; and the place of each, by its name in scene files.
+    given: MtlMaterial,
+    places: BTreeMap<&'static str, Diagnostic>,
     le: Option<(Vec3, Diagnostic)>,
-    pr: Option<f32>,
-    pm: Option<f32>,
-    ni: Option<f32>,
-    d: Option<(f32, Diagnostic)>,
     tr: Option<(f32, Diagnostic)>,
-    tf: Option<(Vec3, Diagnostic)>,
-    illum: Option<(u32, Diagnostic)>,
-    maps: TextureMaps,
+    /// Where the first map is given.
     map: Option<Diagnostic>,
 }
 
@@ -73,39 +64,26 @@ impl Draft {
         Self {
             name: name.to_owned(),
             place: line.warning(key, ""),
-            kd: None,
-            ks: None,
-            ns: None,
-            ke: None,
+            given: MtlMaterial::default(),
+            places: BTreeMap::new(),
             le: None,
-            pr: None,
-            pm: None,
-            ni: None,
-            d: None,
             tr: None,
-            tf: None,
-            illum: None,
-            maps: TextureMaps::default(),
             map: None,
         }
     }
 
-    /// Takes one statement.
+    /// Reads one statement.
     pub fn read(&mut self, line: &Line, key: &str, rest: &str, folder: &Path, tally: &mut Tally) {
+        if let Some(known) = Key::of_statement(key) {
+            if self.read_key(known, line, key, rest, tally).is_some() {
+                self.places.insert(known.scene, line.warning(key, ""));
+            }
+            return;
+        }
         let place = || line.warning(key, "");
         match key.to_ascii_lowercase().as_str() {
-            "kd" => self.kd = reflectance(line, key, rest, tally).or(self.kd),
-            "ks" => self.ks = reflectance(line, key, rest, tally).or(self.ks),
-            "ns" => self.ns = scalar(line, key, rest, 0.0, SHARPEST, tally).or(self.ns),
-            "ke" => replace(&mut self.ke, colour(line, key, rest, BRIGHTEST, tally), place),
-            "le" => replace(&mut self.le, colour(line, key, rest, BRIGHTEST, tally), place),
-            "pr" => self.pr = scalar(line, key, rest, 0.0, 1.0, tally).or(self.pr),
-            "pm" => self.pm = scalar(line, key, rest, 0.0, 1.0, tally).or(self.pm),
-            "ni" => self.ni = scalar(line, key, rest, 1.0, 100.0, tally).or(self.ni),
-            "d" => self.read_dissolve(line, key, rest, tally),
+            "le" => replace(&mut self.le, colour(line, key, rest, Colour::Radiance.most_in_mtl(), tally), place),
             "tr" => replace(&mut self.tr, scalar(line, key, rest, 0.0, 1.0, tally), place),
-            "tf" => replace(&mut self.tf, colour(line, key, rest, 1.0, tally), place),
-            "illum" => self.read_illum(line, key, rest, tally),
             "ka" | "map_ka" | "sharpness" => tally.once("ambient light", || {
                 line.warning(key, format!("`{key}` has no meaning in path tracing; it is left out in this whole file"))
             }),
@@ -120,7 +98,7 @@ impl Draft {
             }
             _ => tally.push("unknown statements", || {
                 let warning = line.warning(key, format!("unknown statement `{key}`: it is left out"));
-                match did_you_mean(key, KNOWN.iter().copied()) {
+                match suggest_statement(key, FIRST, LAST) {
                     Some(help) => warning.help(help),
                     None => warning,
                 }
@@ -128,37 +106,46 @@ impl Draft {
         }
     }
 
-    /// `d 0.5`, or `d -halo 0.5`, whose halo is not honoured.
-    fn read_dissolve(&mut self, line: &Line, key: &str, rest: &str, tally: &mut Tally) {
-        let halo = rest.strip_prefix("-halo");
-        if halo.is_some() {
-            tally.push("halos", || line.warning(rest, "`-halo` is not honoured: the whole surface gets this `d`"));
+    /// Reads the value of a key; none where it is wrong, and what was given before counts.
+    fn read_key(&mut self, key: &Key, line: &Line, word: &str, rest: &str, tally: &mut Tally) -> Option<()> {
+        let rest = if key.scene == "d" { without_halo(line, rest, tally) } else { rest };
+        let material = &mut self.given;
+        match key.value {
+            Value::Colour(kind, at) => {
+                let read = if kind == Colour::Reflectance { reflectance } else { colour };
+                *at(material) = read(line, word, rest, kind.most_in_mtl(), tally)?;
+            }
+            Value::Number(range, at) => *at(material) = scalar(line, word, rest, range.least, range.most, tally)?,
+            Value::Optional(range, at) => {
+                *at(material) = Some(scalar(line, word, rest, range.least, range.most, tally)?);
+            }
+            Value::Whole(most, at) => *at(material) = whole(line, word, rest, most, tally)?,
+            // MTL has none.
+            Value::Switch(_) => return None,
         }
-        let value = scalar(line, key, halo.unwrap_or(rest), 0.0, 1.0, tally);
-        replace(&mut self.d, value, || line.warning(key, ""));
+        Some(())
     }
 
-    /// A whole number from 0 to 10.
-    fn read_illum(&mut self, line: &Line, key: &str, rest: &str, tally: &mut Tally) {
-        let word = words(rest).next().unwrap_or_default();
-        match word.parse::<u32>() {
-            Ok(model) if model <= 10 => self.illum = Some((model, line.warning(key, ""))),
-            _ => tally.push("illumination models", || {
-                line.warning(key, format!("`illum` is a whole number from 0 to 10, not `{word}`: it is left out"))
-            }),
-        }
+    /// Where a key was given, by its name in scene files.
+    fn place(&self, key: &str) -> Option<&Diagnostic> {
+        self.places.get(key)
+    }
+
+    /// The colour of a key that was given.
+    fn is_lit(&self, key: &str, colour: Vec3) -> bool {
+        self.place(key).is_some() && colour != Vec3::ZERO
     }
 
     /// An image file.
     fn read_map(&mut self, line: &Line, key: &str, rest: &str, folder: &Path, tally: &mut Tally) {
         let Some(path) = maps::path(line, key, rest, folder, tally) else { return };
         let slot = match key.to_ascii_lowercase().as_str() {
-            "map_kd" => &mut self.maps.kd,
-            "map_ks" => &mut self.maps.ks,
-            "map_ns" => &mut self.maps.ns,
-            "map_ke" => &mut self.maps.ke,
-            "map_d" => &mut self.maps.dissolve,
-            _ => &mut self.maps.bump,
+            "map_kd" => &mut self.given.maps.kd,
+            "map_ks" => &mut self.given.maps.ks,
+            "map_ns" => &mut self.given.maps.ns,
+            "map_ke" => &mut self.given.maps.ke,
+            "map_d" => &mut self.given.maps.d,
+            _ => &mut self.given.maps.bump,
         };
         *slot = Some(path);
         self.map.get_or_insert_with(|| line.warning(key, ""));
@@ -171,49 +158,40 @@ impl Draft {
 
     /// `Tr`, where no `d` says what it means, and its place.
     pub fn tr_alone(&self) -> Option<(f32, &Diagnostic)> {
-        self.tr.as_ref().filter(|_| self.d.is_none()).map(|(tr, place)| (*tr, place))
+        self.tr.as_ref().filter(|_| self.place("d").is_none()).map(|(tr, place)| (*tr, place))
     }
 
     /// Where `illum` is given.
     pub fn illum_place(&self) -> Option<&Diagnostic> {
-        self.illum.as_ref().map(|(_, place)| place)
+        self.place("illum")
     }
 
-    /// The material these statements describe.
-    pub fn material(&self, habits: Habits) -> Material {
-        let default = Material::default();
-        let missing_kd = match &self.maps.kd {
+    /// The material these statements describe: what was given, but for what statements say together.
+    pub fn material(&self, habits: Habits) -> MtlMaterial {
+        let constant = habits.glass_is_constant && self.given.asks_for_glass();
+        MtlMaterial {
+            kd: if self.place("kd").is_some() { self.given.kd } else { self.missing_kd() },
+            ke: self.emission(),
+            d: self.dissolve(habits),
+            illum: if constant { HIGHLIGHTS } else { self.given.illum },
+            ..self.given.clone()
+        }
+    }
+
+    /// `Kd` where it is not given.
+    fn missing_kd(&self) -> Vec3 {
+        match &self.given.maps.kd {
             // What a map is multiplied by.
             Some(_) => Vec3::ONE,
-            None if self.is_bare() => default.kd,
+            None if self.is_bare() => MtlMaterial::default().kd,
             None => Vec3::ZERO,
-        };
-        let illum = match &self.illum {
-            // A surface with highlights.
-            Some((4 | 6 | 7 | 9, _)) if habits.glass_is_constant => 2,
-            Some((illum, _)) => *illum,
-            None => default.illum,
-        };
-        Material {
-            kd: self.kd.unwrap_or(missing_kd),
-            ks: self.ks.unwrap_or(Vec3::ZERO),
-            ns: self.ns.unwrap_or(default.ns),
-            roughness: self.pr,
-            metallic: self.pm.unwrap_or(default.metallic),
-            emission: self.emission(),
-            one_sided: false,
-            ni: self.ni.unwrap_or(default.ni),
-            dissolve: self.dissolve(habits),
-            tf: self.tf.as_ref().map_or(default.tf, |(tf, _)| *tf),
-            illum,
-            maps: self.maps.clone(),
         }
     }
 
     /// Warns of what can't be rendered as written; `material` is what it came to.
-    pub fn warn_of(&self, material: &Material, habits: Habits, tally: &mut Tally) {
-        let glass = material.passage() == Passage::Glass;
-        if self.is_bare() && !glass && self.maps == TextureMaps::default() {
+    pub fn warn_of(&self, material: &MtlMaterial, habits: Habits, tally: &mut Tally) {
+        let glass = material.is_glass();
+        if self.is_bare() && !glass && self.given.maps == TextureMaps::default() {
             self.warn(
                 tally,
                 &self.place,
@@ -228,7 +206,7 @@ impl Draft {
 
     /// Whether nothing says which light it sends back.
     fn is_bare(&self) -> bool {
-        self.kd.is_none() && self.ks.is_none() && self.ke.is_none() && self.le.is_none()
+        ["kd", "ks", "ke"].iter().all(|key| self.place(key).is_none()) && self.le.is_none()
     }
 
     /// Whether the name says that it is a light, as in the Cornell box family of files.
@@ -238,8 +216,7 @@ impl Draft {
 
     /// `Ke` and `Le`, 0 where they are not given; the one that counts first.
     fn glows(&self) -> (Vec3, Vec3) {
-        let glow = |given: &Option<(Vec3, Diagnostic)>| given.as_ref().map_or(Vec3::ZERO, |(colour, _)| *colour);
-        let (ke, le) = (glow(&self.ke), glow(&self.le));
+        let (ke, le) = (self.given.ke, self.le.as_ref().map_or(Vec3::ZERO, |(colour, _)| *colour));
         if self.is_named_light() { (le, ke) } else { (ke, le) }
     }
 
@@ -260,19 +237,25 @@ impl Draft {
             );
         }
         if first != Vec3::ZERO && second != Vec3::ZERO && first != second {
+            let le_place = self.le.as_ref().map(|(_, place)| place);
             let (used, unused, place) =
-                if self.is_named_light() { ("Le", "Ke", &self.ke) } else { ("Ke", "Le", &self.le) };
-            if let Some((_, place)) = place {
+                if self.is_named_light() { ("Le", "Ke", self.place("ke")) } else { ("Ke", "Le", le_place) };
+            if let Some(place) = place {
                 let message = format!("has both `{used}` and `{unused}`: only `{used}` counts");
                 self.warn(tally, place, "emission given twice", &message);
             }
         }
     }
 
+    /// `d`, where it is given.
+    fn given_dissolve(&self) -> Option<f32> {
+        self.place("d").map(|_| self.given.d)
+    }
+
     /// `d`, else 1 - `Tr`, else opaque. Where `Tr` is opacity, one of 0 was not meant to hide the material.
     fn dissolve(&self, habits: Habits) -> f32 {
-        match (&self.d, &self.tr) {
-            (Some((d, _)), _) => *d,
+        match (self.given_dissolve(), &self.tr) {
+            (Some(d), _) => d,
             (None, Some((tr, _))) if habits.tr_is_opacity && *tr > 0.0 => *tr,
             (None, Some((tr, _))) if !habits.tr_is_opacity => 1.0 - tr,
             _ => 1.0,
@@ -280,8 +263,8 @@ impl Draft {
     }
 
     fn warn_of_dissolve(&self, habits: Habits, tally: &mut Tally) {
-        match (&self.d, &self.tr) {
-            (Some((d, _)), Some((tr, place))) if (1.0 - tr - d).abs() > 1e-4 => {
+        match (self.given_dissolve(), &self.tr) {
+            (Some(d), Some((tr, place))) if (1.0 - tr - d).abs() > 1e-4 => {
                 let message =
                     format!("has `Tr {tr}` beside `d {d}`: `d` counts, since exporters write `Tr` both ways round");
                 self.warn(tally, place, "Tr beside d", &message);
@@ -296,23 +279,17 @@ impl Draft {
 
     /// One warning for each thing that this material asks for and does not get.
     fn warn_of_unrendered(&self, glass: bool, tally: &mut Tally) {
-        let lit = |colour: Option<Vec3>| colour.is_some_and(|colour| colour != Vec3::ZERO);
-        let warning = match &self.illum {
-            Some((model, place)) if glass && (lit(self.kd) || lit(self.ks)) => Some((
-                place,
-                format!("is glass (illum {model}), which has no colour of its own: `Kd` and `Ks` are not rendered"),
-            )),
-            Some((10, place)) => Some((
-                place,
-                "asks for an invisible shadow catcher (illum 10): it is rendered as a surface for now".to_owned(),
-            )),
-            Some((model @ (0 | 1), place)) if lit(self.ks) => Some((
-                place,
-                format!("has `illum {model}`, which is without highlights, and yet `Ks`: `Ks` is rendered"),
-            )),
-            _ => None,
+        let (kd, ks) = (self.is_lit("kd", self.given.kd), self.is_lit("ks", self.given.ks));
+        let illum = self.given.illum;
+        let message = match illum {
+            _ if glass && (kd || ks) => {
+                format!("is glass (illum {illum}), which has no colour of its own: `Kd` and `Ks` are not rendered")
+            }
+            10 => "asks for an invisible shadow catcher (illum 10): it is rendered as a surface for now".to_owned(),
+            0 | 1 if ks => format!("has `illum {illum}`, which is without highlights, and yet `Ks`: `Ks` is rendered"),
+            _ => String::new(),
         };
-        if let Some((place, message)) = warning {
+        if let Some(place) = self.illum_place().filter(|_| !message.is_empty()) {
             self.warn(tally, place, "illumination models", &message);
         }
         if let Some(place) = &self.map {
@@ -326,7 +303,14 @@ impl Draft {
     }
 }
 
-/// Takes a new value with its place, if there is one.
+/// The value of `d -halo 0.5`, whose halo is not honoured.
+fn without_halo<'a>(line: &Line, rest: &'a str, tally: &mut Tally) -> &'a str {
+    let Some(value) = rest.strip_prefix("-halo") else { return rest };
+    tally.push("halos", || line.warning(rest, "`-halo` is not honoured: the whole surface gets this `d`"));
+    value
+}
+
+/// Keeps a new value with its place, if there is one.
 fn replace<T>(slot: &mut Option<(T, Diagnostic)>, value: Option<T>, place: impl FnOnce() -> Diagnostic) {
     if let Some(value) = value {
         *slot = Some((value, place()));

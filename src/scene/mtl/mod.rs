@@ -1,22 +1,22 @@
 //! Materials of MTL files. Every line that is not honoured is a warning at its place.
 //!
+//! Statements that are keys are read by their table ([`keys`](super::keys)). Beside them:
+//!
 //! | statement | becomes |
 //! |---|---|
-//! | `Kd`, `Ks` | reflectance of both lobes; one value is grey, and the `energy` policy of the scene bounds their sum |
-//! | `Ns` | exponent of the Phong lobe, at most 1e5 |
-//! | `Pr`, `Pm` | roughness and metalness |
-//! | `Ke`, `Le` | emission; `Le` is what the Cornell box family of files writes in materials named `*_light` |
-//! | `d` | opacity; `Tr` counts as 1 - d, and only without `d`: exporters write it both ways round |
-//! | `Ni`, `Tf`, `illum` | kept: [`Material::passage`] says what they come to |
+//! | `Le` | `Ke`: what the Cornell box family of files writes in materials named `*_light` |
+//! | `Tr` | counts as 1 - `d`, and only without `d`: exporters write it both ways round |
 //! | `map_Kd`, `map_Ks`, `map_Ns`, `map_Ke`, `map_d`, `map_Bump`/`bump` | paths, kept |
 //!
 //! What one exporter writes on all its materials is judged once the whole library is read: [`exporter`].
 //!
 //! tobj's own reader panics on `Kd 1` and drops a whole file for one bad line, so this one takes its place.
 
+mod appearance;
 mod draft;
 mod exporter;
 mod maps;
+mod material;
 mod values;
 
 use std::collections::HashMap;
@@ -26,15 +26,16 @@ use std::path::Path;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
 use super::lines::{Line, Lines, unquoted};
 use super::text;
-use crate::components::Material;
-use draft::Draft;
-use exporter::Habits;
+use draft::{Draft, Habits};
+
+pub use appearance::Appearance;
+pub use material::{MtlMaterial, TextureMaps};
 
 /// Bytes that an MTL file may have.
 const LIMIT: u64 = 64 << 20;
 
 /// Materials of one file, in its order, names unique. `None` where the file can't be read; its messages say why.
-pub fn read_mtl(file: &Path, diagnostics: &mut Diagnostics) -> Option<Vec<(String, Material)>> {
+pub fn read_mtl(file: &Path, diagnostics: &mut Diagnostics) -> Option<Vec<(String, MtlMaterial)>> {
     let mut tally = Tally::new(file);
     let materials = match text::open(file, LIMIT) {
         Ok(handle) => read_lines(file, Lines::new(BufReader::new(handle), file), &mut tally),
@@ -52,7 +53,7 @@ fn read_lines(
     file: &Path,
     mut lines: Lines<impl std::io::BufRead>,
     tally: &mut Tally,
-) -> Option<Vec<(String, Material)>> {
+) -> Option<Vec<(String, MtlMaterial)>> {
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut line = Line::default();
     let mut drafts = Drafts::default();
@@ -89,9 +90,9 @@ fn read_lines(
 }
 
 /// What the drafts of a whole library come to.
-fn judge(drafts: &[Draft], tally: &mut Tally) -> Vec<(String, Material)> {
+fn judge(drafts: &[Draft], tally: &mut Tally) -> Vec<(String, MtlMaterial)> {
     let habits = Habits::of(drafts);
-    let materials: Vec<Material> = drafts.iter().map(|draft| draft.material(habits)).collect();
+    let materials: Vec<MtlMaterial> = drafts.iter().map(|draft| draft.material(habits)).collect();
     for (draft, material) in drafts.iter().zip(&materials) {
         draft.warn_of(material, habits, tally);
     }

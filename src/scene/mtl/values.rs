@@ -9,15 +9,12 @@ use crate::scene::text;
 /// What a colour that is left out warns as.
 const LEFT_OUT: &str = "numbers that are left out";
 
-/// Greatest reflectance and emission: their products along a path stay far within f32.
-pub const BRIGHTEST: f32 = 1e6;
-
 /// Reflectances from here to 255 are bytes: nothing reflects so much.
 const BYTES: f32 = 16.0;
 
 /// A reflectance: a colour, with a warning where it looks like bytes. It is taken as written all the same.
-pub fn reflectance(line: &Line, key: &str, rest: &str, tally: &mut Tally) -> Option<Vec3> {
-    let colour = colour(line, key, rest, BRIGHTEST, tally)?;
+pub fn reflectance(line: &Line, key: &str, rest: &str, max: f32, tally: &mut Tally) -> Option<Vec3> {
+    let colour = colour(line, key, rest, max, tally)?;
     if (BYTES..=255.0).contains(&colour.max_element()) {
         tally.push("colours in bytes", || {
             let channels = colour.to_array();
@@ -81,6 +78,18 @@ pub fn scalar(line: &Line, key: &str, rest: &str, min: f32, max: f32, tally: &mu
         });
     }
     number(line, key, word, min, max, tally)
+}
+
+/// A whole number from 0 to `max`: of an illumination model, which are all there are.
+pub fn whole(line: &Line, key: &str, rest: &str, max: u32, tally: &mut Tally) -> Option<u32> {
+    let word = words(rest).next().unwrap_or_default();
+    let value = word.parse::<u32>().ok().filter(|value| *value <= max);
+    if value.is_none() {
+        tally.push("illumination models", || {
+            line.warning(key, format!("`{key}` is a whole number from 0 to {max}, not `{word}`: it is left out"))
+        });
+    }
+    value
 }
 
 /// One finite number; out of range it is moved into it, with a warning.

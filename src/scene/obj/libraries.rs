@@ -5,10 +5,9 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::faces::Group;
-use crate::components::Material;
 use crate::scene::diagnostic::{Diagnostic, Diagnostics};
 use crate::scene::locate::{Located, as_written, file_names, locate};
-use crate::scene::mtl::read_mtl;
+use crate::scene::mtl::{MtlMaterial, read_mtl};
 use crate::scene::suggest::known_names;
 use crate::scene::text::{lenient, missing};
 
@@ -24,7 +23,7 @@ pub struct Statement {
 /// The materials of a model's libraries.
 #[derive(Default)]
 pub struct Libraries {
-    pub materials: BTreeMap<String, Material>,
+    pub materials: BTreeMap<String, MtlMaterial>,
     read: BTreeSet<PathBuf>,
     missing: bool,
 }

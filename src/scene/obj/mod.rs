@@ -15,12 +15,12 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use glam::DVec3;
-
+use super::bounds::Bounds;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
+use super::model::{DEFAULT_MATERIAL, Imported, Model, ModelMesh};
 use super::suggest::known_names;
 use super::text;
-use crate::components::{Material, MeshData};
+use crate::components::MeshData;
 use faces::Group;
 use libraries::Libraries;
 use scanner::{Scanned, Scanner};
@@ -30,32 +30,14 @@ pub use statements::is_statement;
 /// Bytes that an OBJ file may have.
 const LIMIT: u64 = 4 << 30;
 
-/// The name of the material of meshes without one.
-const DEFAULT_MATERIAL: &str = "default";
-
-/// A model: its parts, one for each object and material, and the materials of its libraries that they use.
-#[derive(Clone, Debug)]
-pub struct Model {
-    pub parts: Vec<Part>,
-    pub materials: BTreeMap<String, Material>,
-    /// Least and greatest coordinates, model space.
-    pub bounds: (DVec3, DVec3),
+/// Reads an OBJ file and the MTL files it names: a mesh for each object and material.
+pub fn read_obj(file: &Path) -> Imported {
+    let mut imported = Imported::default();
+    imported.model = read(file, &mut imported.messages, &mut imported.files);
+    imported
 }
 
-/// One mesh of a model.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// `object/3`: the object's name, and the number of this part within it.
-    pub name: String,
-    /// A key of the model's materials.
-    pub material: String,
-    pub geometry: Arc<MeshData>,
-}
-
-/// Reads an OBJ file and the MTL files it names. `None` where it can't be used; its messages say why.
-///
-/// `files` gets every file that was read or looked for.
-pub fn read_obj(file: &Path, diagnostics: &mut Diagnostics, files: &mut Vec<PathBuf>) -> Option<Model> {
+fn read(file: &Path, diagnostics: &mut Diagnostics, files: &mut Vec<PathBuf>) -> Option<Model> {
     files.push(file.to_path_buf());
     let handle = text::open(file, LIMIT).map_err(|error| diagnostics.push(error)).ok()?;
     let mut scanner = Scanner::new(BufReader::with_capacity(1 << 18, handle), file);
@@ -90,11 +72,11 @@ pub fn read_obj(file: &Path, diagnostics: &mut Diagnostics, files: &mut Vec<Path
 fn assemble(
     libraries: &Libraries,
     parts: Vec<(usize, MeshData)>,
-    bounds: (DVec3, DVec3),
+    bounds: Bounds,
     groups: &[Group],
     diagnostics: &mut Diagnostics,
 ) -> Model {
-    let mut model = Model { parts: Vec::with_capacity(parts.len()), materials: BTreeMap::new(), bounds };
+    let mut model = Model { meshes: Vec::with_capacity(parts.len()), materials: BTreeMap::new(), bounds };
     let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
     let mut unknown = BTreeSet::new();
     for (number, geometry) in parts {
@@ -115,7 +97,7 @@ fn assemble(
         let count = counts.entry(&group.object).or_insert(0);
         let name = format!("{}/{count}", group.object);
         *count += 1;
-        model.parts.push(Part { name, material: key.to_owned(), geometry: Arc::new(geometry) });
+        model.meshes.push(ModelMesh { name, material: key.to_owned(), geometry: Arc::new(geometry) });
     }
     model
 }

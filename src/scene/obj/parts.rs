@@ -4,13 +4,14 @@ use glam::{DVec3, Vec2, Vec3};
 
 use super::faces::Group;
 use crate::components::MeshData;
+use crate::scene::bounds::Bounds;
 use crate::scene::triangulate::Triangulator;
 
 /// One mesh for each group that has faces, by group number, and the least and greatest coordinates of all.
 ///
 /// tobj gives the groups as objects whose names are their numbers, in several pieces where they were passed to it so. Each piece
 /// is let go as soon as it is taken over.
-pub fn collect(models: Vec<tobj::Model>, groups: &[Group]) -> (Vec<(usize, MeshData)>, (DVec3, DVec3)) {
+pub fn collect(models: Vec<tobj::Model>, groups: &[Group]) -> (Vec<(usize, MeshData)>, Bounds) {
     let mut meshes = vec![MeshData::default(); groups.len()];
     let mut triangulator = Triangulator::default();
     for model in models {
@@ -19,11 +20,7 @@ pub fn collect(models: Vec<tobj::Model>, groups: &[Group]) -> (Vec<(usize, MeshD
                 .add(model.mesh);
         }
     }
-    let points = || meshes.iter().flat_map(|mesh| &mesh.positions);
-    let bounds = (
-        points().fold(DVec3::INFINITY, |min, point| min.min(*point)),
-        points().fold(DVec3::NEG_INFINITY, |max, point| max.max(*point)),
-    );
+    let bounds = Bounds::of(meshes.iter().flat_map(|mesh| mesh.positions.iter().copied()));
     (meshes.into_iter().enumerate().filter(|(_, mesh)| !mesh.triangles.is_empty()).collect(), bounds)
 }
 

@@ -3,12 +3,12 @@
 use std::io::{BufRead, Read};
 use std::path::Path;
 
-use super::DEFAULT_MATERIAL;
 use super::faces::{Corner, Group, Grouping};
 use super::libraries::{MAX_LIBRARIES, Statement};
 use super::statements::{Counts, KNOWN, corner, is_beyond_us, numbers, position};
 use crate::scene::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
 use crate::scene::lines::{Line, Lines, unquoted, words};
+use crate::scene::model::DEFAULT_MATERIAL;
 use crate::scene::suggest::did_you_mean;
 
 /// Vertices, normals or texture coordinates that a file may have, and triangles that its faces may come to. No device binds

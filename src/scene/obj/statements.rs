@@ -2,7 +2,7 @@
 
 use crate::scene::diagnostic::Diagnostic;
 use crate::scene::lines::{Line, words};
-use crate::scene::load::FARTHEST;
+use crate::scene::model::FARTHEST;
 use crate::scene::text;
 
 /// Statements that OBJ files have, for suggestions.

@@ -3,9 +3,10 @@
 use bevy_ecs::prelude::*;
 
 use super::step::Step;
-use crate::components::{Energy, Material, Name, Passage, Specular};
+use crate::components::{Material, Name};
 use crate::gpu::GpuTable;
-use crate::layout::trace::{EnergyRule, MaterialRecord, Reflector};
+use crate::layout::trace::MaterialRecord;
+use crate::prepare;
 use crate::systems::resources::{Everything, MaterialSlot, Policy};
 use crate::systems::run::counted;
 
@@ -46,31 +47,10 @@ fn extract_materials(
             commands.entity(*entity).insert(MaterialSlot(index));
         }
     }
-    let rule = match policy.energy {
-        Energy::Preserve => EnergyRule::Preserve,
-        Energy::AsWritten => EnergyRule::AsWritten,
-    };
-    let packed = sorted.iter().map(|(_, _, material, _)| pack(material, rule));
-    let packed: Vec<MaterialRecord> = packed.chain([pack(&Material::default(), rule)]).collect();
+    let pack = |material: &Material| prepare::material::pack(material, policy.energy);
+    let packed = sorted.iter().map(|(_, _, material, _)| pack(material));
+    let packed: Vec<MaterialRecord> = packed.chain([pack(&Material::default())]).collect();
     if !records.holds(&packed) {
         records.set(packed);
     }
-}
-
-fn pack(material: &Material, rule: EnergyRule) -> MaterialRecord {
-    let values = Reflector {
-        kd: material.kd,
-        ks: material.ks,
-        ns: material.ns,
-        roughness: material.roughness,
-        metallic: material.metallic,
-        mirror: material.specular() == Specular::Mirror,
-        dielectric: material.passage() == Passage::Glass,
-        ni: material.ni,
-        tf: material.tf,
-        opacity: material.dissolve,
-        emission: material.emission,
-        one_sided: material.one_sided,
-    };
-    MaterialRecord::pack(&values, rule)
 }

@@ -13,8 +13,10 @@ use crate::layout::film::film_exponent;
 use crate::layout::light::LightRecord;
 use crate::layout::trace::{MaterialRecord, TraceParams};
 use crate::layout::tree::Triangle;
-use crate::passes::trace::{Lighting, Needs, View, largest_emission};
+use crate::passes::trace::{Needs, largest_emission};
 use crate::passes::tree::PLAN;
+use crate::prepare::camera;
+use crate::prepare::lighting::Lighting;
 use crate::systems::error::EngineError;
 use crate::systems::resources::{Everything, Exposure, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target};
 use crate::systems::run::counted;
@@ -137,17 +139,16 @@ fn shoot(
         root: (PLAN.root)(packed.triangles.len() as u32),
         ..Default::default()
     };
-    let view = View { position: camera.position, look_at: camera.look_at, up: camera.up, fov_y: camera.fov_y };
-    params.aim(&view, film.size, geometry.origin);
-    params.crop(window.min, window.max);
-    params.fit_film(exponent);
+    camera::aim(&mut params, camera, film.size, geometry.origin);
+    camera::crop(&mut params, window);
+    camera::fit_film(&mut params, exponent);
     let lighting = Lighting {
         lights: packed.lights.len() as u32,
         light_density: packed.density.0,
         sky: sky.size,
         sky_power: if render.integrator == Integrator::Path { sky.power } else { 0.0 },
     };
-    params.light(&lighting, 0.5 * (geometry.high - geometry.low).length());
+    lighting.write(&mut params, 0.5 * (geometry.high - geometry.low).length());
     let needs = Needs {
         materials: packed.records.rows(),
         environment,

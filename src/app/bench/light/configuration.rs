@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::components::{Integrator, Render, Sampler};
+use crate::scene::settings::Named;
 
 /// The parts of the settings that change how light is estimated, and not what is estimated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,16 +24,15 @@ impl Configuration {
     }
 }
 
+/// The words of a configuration.
+fn known() -> Vec<&'static str> {
+    let integrators = Integrator::WORDS.iter().map(|word| word.name);
+    integrators.chain(Sampler::WORDS.iter().map(|word| word.name)).chain(["roulette"]).collect()
+}
+
 impl fmt::Display for Configuration {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let integrator = match self.integrator {
-            Integrator::Path => "path",
-            Integrator::Bsdf => "bsdf",
-        };
-        let sampler = match self.sampler {
-            Sampler::Sobol => "sobol",
-            Sampler::Pcg => "pcg",
-        };
+        let (integrator, sampler) = (self.integrator.name(), self.sampler.name());
         write!(f, "{integrator}+{sampler}{}", if self.roulette { "+roulette" } else { "" })
     }
 }
@@ -44,16 +44,18 @@ impl FromStr for Configuration {
     fn from_str(text: &str) -> Result<Self, String> {
         let (mut integrator, mut sampler, mut roulette) = (None, None, None);
         for word in text.split('+') {
-            let again = match word.trim() {
-                "path" => integrator.replace(Integrator::Path).is_some(),
-                "bsdf" => integrator.replace(Integrator::Bsdf).is_some(),
-                "sobol" => sampler.replace(Sampler::Sobol).is_some(),
-                "pcg" => sampler.replace(Sampler::Pcg).is_some(),
-                "roulette" | "rr" => roulette.replace(true).is_some(),
-                other => return Err(format!("`{other}` is none of path, bsdf, sobol, pcg, roulette")),
+            let word = word.trim();
+            let again = if let Some(found) = Integrator::named(word) {
+                integrator.replace(found).is_some()
+            } else if let Some(found) = Sampler::named(word) {
+                sampler.replace(found).is_some()
+            } else if matches!(word, "roulette" | "rr") {
+                roulette.replace(true).is_some()
+            } else {
+                return Err(format!("`{word}` is none of {}", known().join(", ")));
             };
             if again {
-                return Err(format!("`{}` says twice what it says once", word.trim()));
+                return Err(format!("`{word}` says twice what it says once"));
             }
         }
         match (integrator, sampler) {

@@ -4,9 +4,10 @@ use bevy_ecs::prelude::*;
 use egui::{DragValue, Slider, Ui};
 
 use crate::app::window::cameras;
-use crate::components::{Energy, Film, Integrator, Render, Sampler};
+use crate::components::{Film, Render};
 use crate::engine::Engine;
 use crate::layout::view::ViewMode;
+use crate::scene::settings::{Choice, SETTINGS, Setting, Settings, Value};
 
 /// The scene's cameras by name. Returns the one that was clicked.
 pub fn cameras(ui: &mut Ui, engine: &Engine) -> Option<String> {
@@ -40,43 +41,42 @@ pub fn view(ui: &mut Ui, engine: &mut Engine) -> bool {
 pub fn show(ui: &mut Ui, world: &mut World) -> bool {
     let mut query = world.query::<(&mut Film, &mut Render)>();
     let Some((mut film, mut render)) = query.iter_mut(world).next() else { return false };
-    let (mut shown, mut rendered) = (*film, *render);
+    let mut settings = Settings { film: *film, render: *render };
+    let mut lines: Vec<_> = SETTINGS.iter().filter_map(|setting| Some((setting.panel?, setting))).collect();
+    lines.sort_by_key(|(panel, _)| panel.line);
     egui::Grid::new("settings").num_columns(2).show(ui, |ui| {
-        ui.label("exposure");
-        ui.add(Slider::new(&mut shown.exposure, -8.0..=8.0).clamping(egui::SliderClamping::Never).suffix(" stops"));
-        ui.end_row();
-        ui.label("samples");
-        ui.add(DragValue::new(&mut rendered.spp).range(1..=u32::MAX));
-        ui.end_row();
-        ui.label("integrator");
-        choice(ui, &mut rendered.integrator, &[("path", Integrator::Path), ("bsdf", Integrator::Bsdf)]);
-        ui.end_row();
-        ui.label("sampler");
-        choice(ui, &mut rendered.sampler, &[("sobol", Sampler::Sobol), ("pcg", Sampler::Pcg)]);
-        ui.end_row();
-        ui.label("longest path");
-        ui.add(DragValue::new(&mut rendered.max_depth).range(1..=Render::MAX_DEPTH));
-        ui.end_row();
-        ui.label("roulette");
-        ui.checkbox(&mut rendered.roulette, "");
-        ui.end_row();
-        ui.label("energy");
-        choice(ui, &mut rendered.energy, &[("preserve", Energy::Preserve), ("as written", Energy::AsWritten)]);
-        ui.end_row();
-        ui.label("seed");
-        ui.add(DragValue::new(&mut rendered.seed));
-        ui.end_row();
+        for (panel, setting) in lines {
+            ui.label(panel.label);
+            widget(ui, setting, &mut settings);
+            ui.end_row();
+        }
     });
-    shown.exposure = shown.exposure.clamp(-64.0, 64.0);
     // Written only if it is another value: a film starts anew by its numbers, and is not even looked at without.
-    let film_edited = film.set_if_neq(shown);
-    render.set_if_neq(rendered) || film_edited
+    let film_edited = film.set_if_neq(settings.film);
+    render.set_if_neq(settings.render) || film_edited
 }
 
-fn choice<T: PartialEq + Copy>(ui: &mut Ui, value: &mut T, choices: &[(&str, T)]) {
+fn widget(ui: &mut Ui, setting: &Setting, settings: &mut Settings) {
+    match setting.value {
+        Value::Whole { least, most, at } => _ = ui.add(DragValue::new(at(settings)).range(least..=most)),
+        Value::Stops { most, slider, at } => {
+            let stops = at(settings);
+            ui.add(Slider::new(stops, -slider..=slider).clamping(egui::SliderClamping::Never).suffix(" stops"));
+            *stops = stops.clamp(-most, most);
+        }
+        Value::Switch(at) => _ = ui.checkbox(at(settings), ""),
+        Value::Choice(at) => choice(ui, at(settings)),
+        // The window decides about them.
+        Value::Size(_) | Value::Crop(_) => {}
+    }
+}
+
+fn choice(ui: &mut Ui, choice: &mut dyn Choice) {
     ui.horizontal(|ui| {
-        for (name, choice) in choices {
-            ui.selectable_value(value, *choice, *name);
+        for word in choice.words() {
+            if ui.selectable_label(choice.index() == word.value, word.name).clicked() {
+                choice.choose(word.value);
+            }
         }
     });
 }
