@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::app::Failure;
-use crate::app::failure::rendered;
+use crate::app::shared::failure::rendered;
 use crate::engine::EngineError;
 use crate::gpu::GpuError;
 

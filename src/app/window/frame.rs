@@ -8,7 +8,7 @@ use super::cameras;
 use super::panel::Outcome;
 use super::screen::physical_size;
 use super::session::Session;
-use crate::app::failure::rendered;
+use crate::app::shared::failure::rendered;
 use crate::components::Film;
 use crate::engine::{EngineError, Progress};
 use crate::gpu::{Drawn, Fit};

@@ -9,8 +9,8 @@ use super::controls::Intent;
 use super::screen::physical_size;
 use super::session::Session;
 use super::{cameras, navigate, snapshot};
-use crate::app::failure::show;
-use crate::app::output;
+use crate::app::shared::failure::show;
+use crate::app::shared::output;
 use crate::components::{Camera, Film};
 use crate::engine::EngineError;
 

@@ -1,7 +1,7 @@
 //! The window's session judging the last edit: begin, show what was found, end.
 
 use super::session::Session;
-use crate::app::output;
+use crate::app::shared::output;
 
 impl Session {
     /// Judges the last edit of the shaders, or ends that.

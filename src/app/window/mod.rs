@@ -17,7 +17,7 @@
 //! | `saves`, `judge`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
 //! | `panel` | numbers, curves, sliders |
 
-mod activity;
+pub mod activity;
 mod application;
 mod arguments;
 mod cameras;
@@ -40,8 +40,8 @@ mod saves;
 mod screen;
 mod session;
 mod snapshot;
-mod tracing;
-mod viewpoint;
+pub mod tracing;
+pub mod viewpoint;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod wayland;
 

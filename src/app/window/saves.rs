@@ -3,8 +3,8 @@
 use std::time::{Duration, Instant};
 
 use super::session::Session;
-use crate::app::failure::show;
-use crate::app::output;
+use crate::app::shared::failure::show;
+use crate::app::shared::output;
 use crate::watch::ReloadEvent;
 
 impl Session {

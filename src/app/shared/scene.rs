@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use glam::UVec2;
 
-use super::Failure;
-use super::failure::show;
+use super::failure::{Failure, show};
 use super::values::{IntegratorName, SamplerName, Switch, crop, define, size, stops};
 use crate::components::{Crop, Render};
 use crate::scene::{self, SceneDescription};
