@@ -4,32 +4,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// Files that still go in circles, as modules.
-const EXCEPTIONS: &[&str] = &[
-    "cpu::bsdf",
-    "cpu::bsdf::ggx",
-    "cpu::intersect",
-    "cpu::morton",
-    "cpu::rng",
-    "cpu::rng_sobol",
-    "layout",
-    "layout::film",
-    "scene::kind",
-    "scene::load",
-    "scene::mtl::draft",
-    "scene::mtl::exporter",
-    "scene::obj",
-    "scene::obj::scanner",
-    "scene::obj::statements",
-    "scene::unseen",
-    "shader::check",
-    "shader::library",
-    "shader::link",
-    "shader::message",
-    "shader::reflect",
-    "shader::seek",
-];
-
 /// Modules by their paths, `""` the crate itself, and their code without comments.
 type Modules = BTreeMap<String, String>;
 
@@ -201,11 +175,7 @@ fn files_go_in_no_circles() {
     modules(Path::new("src"), &[], &mut known);
     assert!(known.len() > 100);
     let found = circles(&known);
-    let excepted: BTreeSet<String> = EXCEPTIONS.iter().map(|module| (*module).to_owned()).collect();
-    let new: Vec<_> = found.difference(&excepted).collect();
-    let gone: Vec<_> = excepted.difference(&found).collect();
-    assert!(new.is_empty(), "in circles: {new:?}");
-    assert!(gone.is_empty(), "in no circle any more, so no exceptions: {gone:?}");
+    assert!(found.is_empty(), "in circles: {found:?}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use std::time::Duration;
 use bevy_ecs::prelude::*;
 use glam::{UVec2, Vec3};
 use lucerna::Engine;
-use lucerna::app::compiling::watch_compiling;
+use lucerna::app::shared::compiling::watch_compiling;
 use lucerna::components::{Environment, Film, Integrator, Render};
 use lucerna::scene::{self, SceneDescription};
 use lucerna::shader::Library;

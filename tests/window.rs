@@ -12,5 +12,6 @@ mod navigate;
 mod pace;
 #[cfg(target_os = "linux")]
 mod person;
+mod session;
 #[cfg(target_os = "linux")]
 mod xvfb;

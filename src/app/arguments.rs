@@ -7,7 +7,7 @@ use super::check::CheckArguments;
 use super::compare::CompareArguments;
 use super::judge::JudgeArguments;
 use super::render::RenderArguments;
-use super::values::EXIT_CODES;
+use super::shared::values::EXIT_CODES;
 use super::watch::WatchArguments;
 use super::window::ViewArguments;
 

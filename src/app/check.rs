@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::failure::show;
-use super::values::EXIT_CODES;
-use super::{Exit, Failure, output};
+use crate::app::shared::failure::show;
+use crate::app::shared::output;
+use crate::app::shared::values::EXIT_CODES;
+use crate::app::{Exit, Failure};
 use crate::gpu::checked_entry;
 use crate::passes::Pass;
 use crate::passes::table::TABLE;

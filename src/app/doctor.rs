@@ -1,6 +1,7 @@
 //! `lucerna doctor`: what there is to draw with.
 
-use super::{Exit, Failure, output};
+use crate::app::shared::output;
+use crate::app::{Exit, Failure};
 use crate::gpu::{AdapterSummary, Gpu, adapters};
 
 /// Bytes of the largest buffer below which scenes of a million triangles don't fit.

@@ -6,18 +6,10 @@ mod arguments;
 pub mod bench;
 mod check;
 mod compare;
-pub mod compiling;
 mod doctor;
-mod failure;
-mod interrupt;
 pub mod judge;
-mod output;
-mod progress;
 mod render;
-mod scene;
-mod settings;
-mod tracer;
-mod values;
+pub mod shared;
 mod watch;
 pub mod window;
 
@@ -26,7 +18,7 @@ use std::time::Instant;
 
 use clap::{CommandFactory, Parser};
 
-pub use failure::{Exit, Failure};
+pub use shared::failure::{Exit, Failure};
 
 use arguments::{Arguments, Command};
 use window::ViewArguments;

@@ -4,7 +4,7 @@ use clap::{Args, Subcommand};
 
 use super::light::{self, LightArguments};
 use super::{LEAST_RUNS, build, extend, sort};
-use crate::app::values::EXIT_CODES;
+use crate::app::shared::values::EXIT_CODES;
 use crate::app::{Exit, Failure};
 use crate::gpu::Gpu;
 

@@ -16,7 +16,7 @@ use std::time::Instant;
 use serde::Serialize;
 
 use super::Failure;
-use super::output::{self, Unwritten};
+use crate::app::shared::output::{self, Unwritten};
 use crate::engine::EngineError;
 use crate::gpu::{GpuError, Runtime};
 use crate::image::SaveError;

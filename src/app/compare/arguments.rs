@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::app::values::{EXIT_CODES, crop, stops};
+use crate::app::shared::values::{EXIT_CODES, crop, stops};
 use crate::components::Crop;
 use crate::image::{Kind, Output};
 

@@ -13,7 +13,8 @@ pub use arguments::CompareArguments;
 use arguments::Heat;
 use comparison::{Comparison, HAS_FLIP, LEAST_SIDE, Side};
 
-use super::{Exit, Failure, output};
+use crate::app::shared::output;
+use crate::app::{Exit, Failure};
 use crate::components::Crop;
 use crate::image::srgb::srgb_byte;
 use crate::image::{Pixel, Source};

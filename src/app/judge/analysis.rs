@@ -3,7 +3,7 @@
 use glam::UVec2;
 
 use super::series::Estimator;
-use crate::app::progress::clock;
+use crate::app::shared::progress::clock;
 use crate::stats::efficiency::Ratio;
 use crate::stats::equal_means::{Difference, LEAST_GROUPS, Means};
 

@@ -7,7 +7,7 @@ use clap::Args;
 use glam::UVec2;
 
 use super::core::{Plan, WITHIN};
-use crate::app::values::{EXIT_CODES, define, output, seconds, size};
+use crate::app::shared::values::{EXIT_CODES, define, output, seconds, size};
 use crate::image::Output;
 
 #[derive(Debug, Args)]

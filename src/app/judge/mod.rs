@@ -21,11 +21,12 @@ pub use series::Estimator;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use super::failure::show;
-use super::interrupt::Interrupt;
-use super::progress::{Goal, Meter, clock};
-use super::scene::choose_camera;
-use super::{Exit, Failure, output};
+use crate::app::shared::failure::show;
+use crate::app::shared::interrupt::Interrupt;
+use crate::app::shared::output;
+use crate::app::shared::progress::{Goal, Meter, clock};
+use crate::app::shared::scene::choose_camera;
+use crate::app::{Exit, Failure};
 use crate::gpu::Gpu;
 use crate::image::{Outputs, Picture};
 use crate::scene::{self, SceneDescription};

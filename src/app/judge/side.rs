@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::clock::Clock;
 use super::error::JudgeError;
-use crate::app::tracer::Tracer;
+use crate::app::shared::tracer::Tracer;
 use crate::components::{Film, Render};
 use crate::engine::EngineError;
 use crate::gpu::Gpu;

@@ -2,8 +2,8 @@
 
 use clap::Args;
 
-use crate::app::scene::SceneFlags;
-use crate::app::values::{EXIT_CODES, output, seconds};
+use crate::app::shared::scene::SceneFlags;
+use crate::app::shared::values::{EXIT_CODES, output, seconds};
 use crate::image::Output;
 
 #[derive(Debug, Args)]

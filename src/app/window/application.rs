@@ -11,7 +11,8 @@ use winit::window::{Window, WindowId};
 
 use super::reason::reason;
 use super::session::{Opening, Session};
-use crate::app::{Exit, Failure, output};
+use crate::app::shared::output;
+use crate::app::{Exit, Failure};
 use crate::engine::EngineError;
 use crate::gpu::GpuError;
 

@@ -2,8 +2,8 @@
 
 use clap::Args;
 
-use crate::app::scene::SceneFlags;
-use crate::app::values::EXIT_CODES;
+use crate::app::shared::scene::SceneFlags;
+use crate::app::shared::values::EXIT_CODES;
 
 /// The scene that opens where none is named.
 pub const DEFAULT_SCENE: &str = "cornell-box";

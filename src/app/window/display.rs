@@ -28,7 +28,7 @@ pub fn open() -> Result<EventLoop<()>, Failure> {
         }
         let opened = builder.with_x11().build();
         if opened.is_ok() {
-            crate::app::output::note(&format!("{why}; the window opens on X instead"));
+            crate::app::shared::output::note(&format!("{why}; the window opens on X instead"));
         }
         return opened.map_err(|error| Failure::of(NoDisplay(format!("{why}; {}", reason(&error)))));
     }

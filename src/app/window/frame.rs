@@ -4,25 +4,17 @@ use std::time::{Duration, Instant};
 
 use glam::UVec2;
 
-use super::judging::Judging;
+use super::cameras;
 use super::panel::Outcome;
 use super::screen::physical_size;
 use super::session::Session;
-use super::{cameras, navigate, pace};
-use crate::app::Failure;
-use crate::app::failure::rendered;
+use crate::app::shared::failure::rendered;
 use crate::components::Film;
 use crate::engine::{EngineError, Progress};
-use crate::gpu::{Drawn, Fit, GpuError};
-
-/// A film that is moved on before each of its pixels has a sample gets so much time for it.
-const FIRST_SAMPLE: Duration = Duration::from_millis(100);
+use crate::gpu::{Drawn, Fit};
 
 /// Sizes of the scene a second, at full speed.
 const FLIGHT_SPEED: f64 = 0.3;
-
-/// A frame that takes longer does not make a flight longer.
-const LONGEST_FRAME: Duration = Duration::from_millis(100);
 
 /// Time between two changes of the title.
 const TITLE: Duration = Duration::from_millis(500);
@@ -34,11 +26,9 @@ impl Session {
         if physical_size(&self.window).min_element() == 0 {
             return Ok(());
         }
-        let elapsed = now.duration_since(self.last_frame).min(LONGEST_FRAME);
-        self.last_frame = now;
-        if !self.started {
+        let elapsed = self.activity.begin_frame(now);
+        if self.activity.starts() {
             // The first step compiles for a while: a window that says so comes before it.
-            self.started = true;
             self.overlay.notice = Some("compiling shaders".to_owned());
             self.draw()?;
             self.overlay.notice = None;
@@ -47,27 +37,27 @@ impl Session {
         self.fly(elapsed, now);
         self.follow_view(now);
         self.follow_window(now);
-        self.take_judgement();
+        self.show_judgement();
         let before = self.traced();
         if self.engine.has_saves() {
             self.end_judging();
         }
         // Judging has the device to itself.
-        if self.working && !self.judging.as_ref().is_some_and(Judging::is_under_way) {
+        if self.activity.working && !self.judgement.is_under_way() {
             self.step()?;
         }
-        if self.saving && self.progress.is_some_and(|progress| progress.spp >= 1) {
+        if self.saving && self.tracing.is_whole() {
             self.saving = false;
             self.save()?;
         }
         let pixel = self.pixel_under_pointer();
-        let read = self.panel.read(&mut self.engine, pixel, self.film_began, now);
+        let read = self.panel.read(&mut self.engine, pixel, self.tracing.began, now);
         if !matches!(read, Ok(false)) {
             self.survive("looking at the film", read)?;
         }
         self.draw()?;
         let traced = Duration::from_secs_f64((self.traced() - before).max(0.0));
-        self.drawing = (self.drawing * 3 + now.elapsed().saturating_sub(traced)) / 4;
+        self.tracing.learn_drawing(now.elapsed().saturating_sub(traced));
         Ok(())
     }
 
@@ -94,42 +84,36 @@ impl Session {
     /// Flies on, or comes to rest.
     fn fly(&mut self, elapsed: Duration, now: Instant) {
         let wanted = self.controls.flight();
-        if wanted == glam::DVec3::ZERO && !self.flight.is_under_way() {
-            return;
+        if self.viewpoint.flies(wanted) {
+            let speed = FLIGHT_SPEED * self.scene_size();
+            self.viewpoint.fly(wanted, elapsed, speed);
+            self.tracing.pace.moved(now);
         }
-        let speed = FLIGHT_SPEED * self.scene_size();
-        let way = self.flight.advance(wanted, elapsed);
-        self.view = navigate::fly(self.view, way * speed);
-        self.view_moved = true;
-        self.pace.moved(now);
     }
 
-    /// Moves the engine's camera after the view, once there is a picture of where it was: a film that starts anew before
-    /// it has any shows nothing.
+    /// Moves the engine's camera after the view, once there is a picture of where it was.
     fn follow_view(&mut self, now: Instant) {
-        let whole = self.progress.is_none_or(|progress| progress.spp >= 1);
-        if !self.view_moved || !(whole || now.duration_since(self.film_began) > FIRST_SAMPLE) {
+        if !self.viewpoint.moved || !self.tracing.may_restart(now) {
             return;
         }
-        let view = self.view;
+        let view = self.viewpoint.camera;
         if self.engine.edit(|world| cameras::set_view(world, view)) {
-            self.film_began = now;
-            self.working = true;
+            self.film_restarts(now);
         }
-        self.view_moved = false;
+        self.viewpoint.moved = false;
         self.fit_film();
     }
 
     /// Gives the film the window's whole size, once nothing moves.
     fn follow_window(&mut self, now: Instant) {
-        if self.pace.settle(now) || self.progress.is_none() {
+        if self.tracing.pace.settle(now) || self.tracing.progress.is_none() {
             self.fit_film();
         }
     }
 
     /// Gives the film the size that the window has for it.
     pub(super) fn fit_film(&mut self) {
-        self.set_film_size(self.pace.film_size(physical_size(&self.window)));
+        self.set_film_size(self.tracing.pace.film_size(physical_size(&self.window)));
     }
 
     /// A film without a crop is as large as the window wants it; a crop is a part of a film of one size.
@@ -140,8 +124,7 @@ impl Session {
             film.map(|mut film| film.size = size).is_some()
         });
         if changed {
-            self.film_began = Instant::now();
-            self.working = true;
+            self.film_restarts(Instant::now());
         }
     }
 
@@ -149,52 +132,26 @@ impl Session {
     fn step(&mut self) -> Result<(), EngineError> {
         let begin = Instant::now();
         let before = self.traced();
-        let budget = match self.pace.settles_at() {
-            Some(_) => pace::MOVING_SAMPLE,
-            // A graphics card draws in no time; what a frame takes beyond that is waiting for the display.
-            None if !self.gpu.is_software() => pace::STEP,
-            None => pace::still_step(self.drawing),
-        };
-        let stepped = self.engine.step(budget);
-        self.take_saves();
+        let stepped = self.engine.step(self.tracing.budget(self.gpu.is_software()));
+        self.follow_saves();
         let Some(progress) = self.survive("tracing", stepped)? else {
             // Until something changes, it would fail again.
-            self.working = false;
+            self.activity.working = false;
             return Ok(());
         };
-        if self.progress.is_some_and(|before| progress.spp < before.spp) {
-            self.film_began = begin;
-        }
         let seconds = self.traced() - before;
-        self.pace.learn(progress.samples, seconds);
-        self.working = !progress.finished;
-        self.progress = Some(progress);
+        self.tracing.learn(progress, begin, seconds);
+        self.activity.working = !progress.finished;
         Ok(())
     }
 
-    /// Goes on after an error, unless the device is lost: it is said once in the terminal, and stays over the picture until
-    /// the same succeeds.
+    /// Goes on after an error, unless the device is lost: what failed stands over the picture until the same succeeds.
     pub(super) fn survive<T>(
         &mut self,
         what: &'static str,
         result: Result<T, EngineError>,
     ) -> Result<Option<T>, EngineError> {
-        let done = match result {
-            Ok(done) => {
-                self.failures.remove(what);
-                Some(done)
-            }
-            Err(EngineError::Gpu(error @ GpuError::Lost { .. })) => return Err(error.into()),
-            Err(error) => {
-                let failure = Failure::engine(error);
-                let text = rendered(&*failure.report, false);
-                if self.failures.get(what) != Some(&text) {
-                    failure.show();
-                }
-                self.failures.insert(what, text);
-                None
-            }
-        };
+        let done = self.failures.survive(what, result)?;
         self.list_problems();
         Ok(done)
     }
@@ -203,41 +160,41 @@ impl Session {
     fn list_problems(&mut self) {
         let standing = self.engine.problems();
         let texts = standing.iter().map(|problem| rendered(&*problem.diagnostic, false));
-        self.overlay.problems = self.failures.values().cloned().chain(texts).collect();
+        self.overlay.problems = self.failures.texts().cloned().chain(texts).collect();
     }
 
     /// Draws the picture there is, and what lies over it.
     fn draw(&mut self) -> Result<(), EngineError> {
         let begin = Instant::now();
         let fit = self.fit();
-        let Session { screen, engine, overlay, panel, judging, .. } = self;
+        let Session { screen, engine, overlay, panel, judgement, .. } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
                 outcome.add(panel.show(ui, engine));
             }
-            overlay.show(ui.ctx(), judging.as_ref().map(|judging| judging.line.as_str()));
+            overlay.show(ui.ctx(), judgement.line());
         });
-        self.redraw = screen.draw(engine, fit, paint)? == Drawn::Later;
+        self.activity.redraw = screen.draw(engine, fit, paint)? == Drawn::Later;
         // Else the next step would take the time of drawing for that of its samples.
         self.gpu.wait()?;
-        self.take_outcome(outcome);
+        self.follow_panel(outcome);
         // egui asks for nothing by the longest of times.
-        self.ui_again = begin.checked_add(again).filter(|_| again < Duration::from_secs(3600));
+        self.activity.ui_again = begin.checked_add(again).filter(|_| again < Duration::from_secs(3600));
         self.set_title();
         Ok(())
     }
 
     /// Goes on from what was done in the panel.
-    fn take_outcome(&mut self, outcome: Outcome) {
+    fn follow_panel(&mut self, outcome: Outcome) {
         let now = Instant::now();
         if outcome.moved {
-            self.pace.moved(now);
+            self.tracing.pace.moved(now);
             self.fit_film();
         }
         if outcome.edited || outcome.moved {
             self.end_judging();
-            self.working = true;
+            self.activity.working = true;
         }
         if let Some(name) = outcome.camera {
             self.choose_camera(&name, now);
@@ -246,7 +203,7 @@ impl Session {
 
     /// Says in the title how far the film is, twice a second and when it is finished.
     fn set_title(&mut self) {
-        let Some(progress) = self.progress else { return };
+        let Some(progress) = self.tracing.progress else { return };
         if !progress.finished && self.titled.is_some_and(|at| at.elapsed() < TITLE) {
             return;
         }

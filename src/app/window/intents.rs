@@ -9,8 +9,8 @@ use super::controls::Intent;
 use super::screen::physical_size;
 use super::session::Session;
 use super::{cameras, navigate, snapshot};
-use crate::app::failure::show;
-use crate::app::output;
+use crate::app::shared::failure::show;
+use crate::app::shared::output;
 use crate::components::{Camera, Film};
 use crate::engine::EngineError;
 use crate::scene::settings::MOST_STOPS;
@@ -23,11 +23,11 @@ impl Session {
     pub(super) fn act(&mut self, intent: Intent) {
         let now = Instant::now();
         match intent {
-            Intent::Orbit(angle) => self.set_view(navigate::orbit(self.view, angle), now),
-            Intent::Pan(shift) => self.set_view(navigate::pan(self.view, shift), now),
+            Intent::Orbit(angle) => self.set_view(navigate::orbit(self.viewpoint.camera, angle), now),
+            Intent::Pan(shift) => self.set_view(navigate::pan(self.viewpoint.camera, shift), now),
             Intent::Zoom(factor) => {
                 let range = ZOOM_RANGE.map(|bound| bound * self.scene_size());
-                self.set_view(navigate::zoom(self.view, factor, range), now);
+                self.set_view(navigate::zoom(self.viewpoint.camera, factor, range), now);
             }
             Intent::FrameAll => self.frame_all(now),
             Intent::Camera(place) => {
@@ -70,24 +70,23 @@ impl Session {
 
     fn set_view(&mut self, view: Camera, now: Instant) {
         self.end_judging();
-        self.view = view;
-        self.view_moved = true;
-        self.pace.moved(now);
+        self.viewpoint.move_to(view);
+        self.tracing.pace.moved(now);
     }
 
     /// Looks through a camera of the scene, from where the scene's file has it.
     pub(super) fn choose_camera(&mut self, name: &str, now: Instant) {
         let held = self.engine.read(cameras::all).get(name).copied();
-        if let Some(home) = self.homes.get(name).copied().or(held) {
+        if let Some(home) = self.viewpoint.homes.get(name).copied().or(held) {
             self.engine.edit(|world| cameras::choose(world, name, home));
-            self.take_view(now);
+            self.follow_camera(now);
         }
     }
 
     fn frame_all(&mut self, now: Instant) {
         let (low, high) = self.engine.bounds();
         let size = physical_size(&self.window).as_dvec2();
-        self.set_view(navigate::frame(self.view, low, high, size.x / size.y.max(1.0)), now);
+        self.set_view(navigate::frame(self.viewpoint.camera, low, high, size.x / size.y.max(1.0)), now);
     }
 
     fn expose(&mut self, stops: f32) {
@@ -104,7 +103,7 @@ impl Session {
 
     fn print_camera(&mut self) {
         let Some((name, _)) = self.engine.camera() else { return };
-        let line = navigate::to_ron(&name, &self.view);
+        let line = navigate::to_ron(&name, &self.viewpoint.camera);
         match output::write(&format!("{line}\n")) {
             Ok(()) => self.notify("the camera was printed to the terminal".to_owned()),
             Err(error) => self.notify(format!("stdout: {error}")),

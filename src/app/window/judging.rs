@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 use glam::UVec2;
 use winit::event_loop::EventLoopProxy;
 
-use crate::app::failure::rendered;
 use crate::app::judge::{Analysis, Judge, JudgeError, Plan, SECONDS, UNCHANGED, WITHIN, marked, standing};
+use crate::app::shared::failure::rendered;
 use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::Library;

@@ -9,22 +9,26 @@
 //! | `reason` | why the window library failed, in words for a user |
 //! | `application` | the window library's events, and when to wake |
 //! | `session`, `frame` | a window with an engine: what it keeps; one frame |
+//! | `viewpoint`, `tracing`, `activity`, `judgement`, `failures` | what a session keeps, by what it is about |
 //! | `intents` | what each key and gesture does |
 //! | `controls`, `keys` | events to intents; the table of keys |
 //! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
-//! | `saves`, `judging`, `judge` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
+//! | `saves`, `judge`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
 //! | `panel` | numbers, curves, sliders |
 
+pub mod activity;
 mod application;
 mod arguments;
 mod cameras;
 mod controls;
 mod display;
+mod failures;
 pub mod flight;
 mod frame;
 mod intents;
 mod judge;
+mod judgement;
 mod judging;
 pub mod keys;
 pub mod navigate;
@@ -36,6 +40,8 @@ mod saves;
 mod screen;
 mod session;
 mod snapshot;
+pub mod tracing;
+pub mod viewpoint;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod wayland;
 

@@ -1,9 +1,14 @@
 //! What lies over the picture besides the panel: the keys, a notice, and problems that stand.
 
+use std::time::{Duration, Instant};
+
 use egui::{Align2, Color32, Context, RichText};
 use glam::UVec2;
 
 use super::keys::KEYS;
+
+/// How long a notice is shown.
+const NOTICE: Duration = Duration::from_secs(4);
 
 /// What there is to show over the picture.
 #[derive(Default)]
@@ -12,6 +17,8 @@ pub struct Overlay {
     pub help: bool,
     /// A line at the bottom, for a while.
     pub notice: Option<String>,
+    /// When that goes.
+    notice_ends: Option<Instant>,
     /// Each stays until it is no longer listed: a shader that doesn't compile, a device that has no room.
     pub problems: Vec<String>,
     /// A picture over the whole window, in place of the film: its size, and sRGB.
@@ -24,6 +31,23 @@ impl Overlay {
     /// Whether nothing of it is to be seen.
     pub fn is_empty(&self) -> bool {
         !self.help && self.notice.is_none() && self.problems.is_empty() && self.split.is_none()
+    }
+
+    /// Says something at the bottom of the window, for a while.
+    pub fn notify(&mut self, text: String, now: Instant) {
+        (self.notice, self.notice_ends) = (Some(text), Some(now + NOTICE));
+    }
+
+    /// When the notice goes; none if it doesn't, or there is none.
+    pub fn expires_at(&self) -> Option<Instant> {
+        self.notice_ends
+    }
+
+    /// Removes a notice whose time is over. Says whether there was one.
+    pub fn expire(&mut self, now: Instant) -> bool {
+        let over = self.notice_ends.take_if(|at| *at <= now).is_some();
+        self.notice.take_if(|_| over);
+        over
     }
 
     /// Shows this in place of the film from now on.

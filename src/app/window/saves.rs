@@ -3,20 +3,20 @@
 use std::time::{Duration, Instant};
 
 use super::session::Session;
-use crate::app::failure::show;
-use crate::app::output;
+use crate::app::shared::failure::show;
+use crate::app::shared::output;
 use crate::watch::ReloadEvent;
 
 impl Session {
     /// Takes up what the last step of the engine tells. Each failure goes to the terminal once, and stands over the picture
     /// until it is mended.
-    pub(super) fn take_saves(&mut self) {
+    pub(super) fn follow_saves(&mut self) {
         for event in self.engine.events() {
             match event {
                 ReloadEvent::Failed { problems, .. } => {
                     problems.iter().for_each(|problem| show(&*problem.diagnostic));
-                    self.take_shaders(false);
-                    self.redraw = true;
+                    self.follow_shaders(false);
+                    self.draw_again();
                 }
                 ReloadEvent::Reloaded { files, restarts, warnings, since_save } => {
                     warnings.iter().for_each(|warning| show(&*warning.diagnostic));
@@ -28,9 +28,9 @@ impl Session {
                     };
                     self.tell(format!("{what} taken up after {}: {restarts} anew", milliseconds(since_save)));
                     self.end_judging();
-                    self.take_shaders(restarts.film);
+                    self.follow_shaders(restarts.film);
                     if restarts.film {
-                        self.film_began = Instant::now();
+                        self.tracing.began = Instant::now();
                     }
                     self.follow_files();
                 }
@@ -49,7 +49,7 @@ impl Session {
                     if let Some(first) = warnings.first() {
                         self.notify(first.diagnostic.to_string());
                     }
-                    self.redraw = true;
+                    self.draw_again();
                 }
             }
         }
@@ -58,14 +58,14 @@ impl Session {
     /// The cameras that the keys go to are those of the file, and the view is where the file has put it, if it has.
     fn follow_files(&mut self) {
         if let Some(scene) = self.engine.saved_scene() {
-            self.homes.clone_from(&scene.cameras);
+            self.viewpoint.homes.clone_from(&scene.cameras);
         }
         let view = self.engine.camera().map(|(_, view)| view);
-        if !self.view_moved && view != Some(self.view) {
-            self.take_view(Instant::now());
+        if !self.viewpoint.moved && view != Some(self.viewpoint.camera) {
+            self.follow_camera(Instant::now());
         }
         self.fit_film();
-        self.working = true;
+        self.activity.working = true;
     }
 
     fn tell(&mut self, text: String) {

@@ -1,25 +1,26 @@
 //! A window with an engine behind it: what it keeps, its events, and when the next frame is due.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use winit::event::WindowEvent;
 use winit::event_loop::EventLoopProxy;
 use winit::window::Window;
 
+use super::activity::Activity;
 use super::cameras;
 use super::controls::Controls;
-use super::flight::Flight;
-use super::judging::{Ending, Judging};
+use super::failures::Failures;
+use super::judgement::Judgement;
 use super::overlay::Overlay;
-use super::pace::{self, Pace};
+use super::pace;
 use super::panel::Panel;
 use super::screen::{Screen, physical_size};
-use crate::app::failure::show;
-use crate::app::scene::{Opened, SceneFlags};
-use crate::components::Camera;
-use crate::engine::{Engine, EngineError, Progress};
+use super::tracing::Tracing;
+use super::viewpoint::Viewpoint;
+use crate::app::shared::failure::show;
+use crate::app::shared::scene::{Opened, SceneFlags};
+use crate::engine::{Engine, EngineError};
 use crate::gpu::{Gpu, GpuError};
 use crate::layout::film::FilmPixel;
 use crate::scene::SceneDescription;
@@ -65,44 +66,17 @@ pub struct Session {
     pub(super) gpu: Arc<Gpu>,
     /// What to open again on another device.
     opening: Opening,
-    /// The cameras as the scene's file has them.
-    pub(super) homes: BTreeMap<String, Camera>,
-    /// The shaders that are run, and those from before the last edit that changed what is traced.
-    pub(super) shaders: Library,
-    pub(super) old_shaders: Option<Library>,
-    pub(super) judging: Option<Judging>,
-    pub(super) ending: Ending,
-    /// Before and after are shown side by side, where they were judged.
-    pub(super) split: bool,
+    pub(super) judgement: Judgement,
     pub(super) controls: Controls,
-    pub(super) pace: Pace,
     pub(super) overlay: Overlay,
     pub(super) panel: Panel,
-    pub(super) flight: Flight,
-    /// Where the user is; the engine's camera follows.
-    pub(super) view: Camera,
-    /// The engine's camera does not follow yet.
-    pub(super) view_moved: bool,
-    /// A frame was drawn already.
-    pub(super) started: bool,
-    /// The engine has something to do.
-    pub(super) working: bool,
-    /// There is something to draw.
-    pub(super) redraw: bool,
-    pub(super) hidden: bool,
-    pub(super) quit: bool,
-    pub(super) progress: Option<Progress>,
-    /// What failed when it was last tried, and why.
-    pub(super) failures: BTreeMap<&'static str, String>,
+    pub(super) viewpoint: Viewpoint,
+    pub(super) tracing: Tracing,
+    pub(super) activity: Activity,
+    pub(super) failures: Failures,
     /// The film is to be saved once each pixel has a sample.
     pub(super) saving: bool,
-    pub(super) notice_ends: Option<Instant>,
-    pub(super) ui_again: Option<Instant>,
-    pub(super) last_frame: Instant,
-    /// When the film was last made to start anew.
-    pub(super) film_began: Instant,
-    /// What a frame takes besides tracing.
-    pub(super) drawing: Duration,
+    /// When the title was last set.
     pub(super) titled: Option<Instant>,
 }
 
@@ -132,40 +106,23 @@ impl Session {
             screen,
             engine,
             gpu,
-            homes: opening.opened.description.cameras.clone(),
-            opening,
-            shaders: library,
-            old_shaders: None,
-            judging: None,
-            ending: Ending::default(),
-            split: false,
+            judgement: Judgement::new(library),
             controls: Controls::default(),
-            pace: Pace::new(most_pixels),
             overlay: Overlay::default(),
             panel,
-            flight: Flight::default(),
-            view,
-            view_moved: false,
-            started: false,
-            working: true,
-            redraw: true,
-            hidden: false,
-            quit: false,
-            progress: None,
-            failures: BTreeMap::new(),
+            viewpoint: Viewpoint::new(view, opening.opened.description.cameras.clone()),
+            tracing: Tracing::new(most_pixels, now),
+            activity: Activity::new(now),
+            failures: Failures::default(),
             saving: false,
-            notice_ends: None,
-            ui_again: None,
-            last_frame: now,
-            film_began: now,
-            drawing: Duration::ZERO,
+            opening,
             titled: None,
         })
     }
 
     /// Gives up the device. What stays is the window, and the scene with all edits and the view.
     pub fn dismantle(mut self) -> (Arc<Window>, Opening) {
-        let view = self.view;
+        let view = self.viewpoint.camera;
         self.engine.edit(|world| cameras::set_view(world, view));
         let name = self.name().to_owned();
         let description = self.engine.describe(&name);
@@ -192,41 +149,43 @@ impl Session {
     }
 
     pub fn has_quit(&self) -> bool {
-        self.quit
+        self.activity.quit
     }
 
     pub(super) fn quit(&mut self) {
         self.end_judging();
-        self.quit = true;
+        self.activity.quit = true;
     }
 
     /// The next step may find something to do.
     pub fn look_again(&mut self) {
-        self.working = true;
-        self.redraw |= self.judging.is_some();
+        self.activity.working = true;
+        self.activity.redraw |= self.judgement.is_shown();
     }
 
     /// Something is to be drawn anew.
     pub(super) fn draw_again(&mut self) {
-        self.redraw = true;
+        self.activity.redraw = true;
     }
 
     /// Says something at the bottom of the window, for a while.
     pub(super) fn notify(&mut self, text: String) {
-        self.overlay.notice = Some(text);
-        self.notice_ends = Some(Instant::now() + Duration::from_secs(4));
-        self.redraw = true;
+        self.overlay.notify(text, Instant::now());
+        self.draw_again();
     }
 
     /// The scene's cameras are other ones: the view is that of the rendered one.
-    pub(super) fn take_view(&mut self, now: Instant) {
+    pub(super) fn follow_camera(&mut self, now: Instant) {
         if let Some((_, view)) = self.engine.camera() {
-            self.view = view;
-            self.view_moved = false;
-            self.flight = Flight::default();
-            self.film_began = now;
-            self.working = true;
+            self.viewpoint.rest_at(view);
+            self.film_restarts(now);
         }
+    }
+
+    /// The film starts anew: there is something to trace.
+    pub(super) fn film_restarts(&mut self, now: Instant) {
+        self.tracing.began = now;
+        self.activity.working = true;
     }
 
     /// The largest extent of the scene; 1 for one without meshes.
@@ -242,20 +201,20 @@ impl Session {
             WindowEvent::Resized(_) => {
                 self.screen.resize()?;
                 let now = Instant::now();
-                self.pace.moved(now);
-                self.view_moved = true;
-                self.redraw = true;
+                self.tracing.pace.moved(now);
+                self.viewpoint.moved = true;
+                self.activity.redraw = true;
             }
             WindowEvent::Occluded(hidden) => {
-                self.hidden = *hidden;
-                self.redraw = true;
+                self.activity.hidden = *hidden;
+                self.activity.redraw = true;
             }
             _ => {}
         }
         let response = self.screen.event(event);
         let visible = self.shows_ui();
         if visible {
-            self.redraw |= response.repaint;
+            self.activity.redraw |= response.repaint;
         } else {
             self.screen.forget_events();
         }
@@ -268,30 +227,27 @@ impl Session {
     }
 
     fn shows_ui(&self) -> bool {
-        self.panel.open || !self.overlay.is_empty() || self.judging.is_some()
+        self.panel.open || !self.overlay.is_empty() || self.judgement.is_shown()
     }
 
     /// When the next frame is due; none while nothing changes.
     pub fn next_frame(&mut self, now: Instant) -> Option<Instant> {
-        if self.notice_ends.is_some_and(|at| at <= now) {
-            (self.notice_ends, self.overlay.notice) = (None, None);
-            self.redraw = true;
-        }
-        if self.ui_again.is_some_and(|at| at <= now) {
-            self.ui_again = None;
-            self.redraw = true;
-        }
-        if self.hidden || physical_size(&self.window).min_element() == 0 {
+        self.activity.redraw |= self.overlay.expire(now);
+        self.activity.expire(now);
+        if self.activity.hidden || physical_size(&self.window).min_element() == 0 {
             return None;
         }
-        let flies = self.flight.is_under_way() || self.controls.flight() != glam::DVec3::ZERO;
         // Judging has the device to itself, and wakes the window when it has found something.
-        let working = self.working && !self.judging.as_ref().is_some_and(Judging::is_under_way);
-        if working || self.redraw || self.view_moved || flies {
-            return Some(self.last_frame + pace::FRAME);
+        let works = self.activity.working && !self.judgement.is_under_way();
+        let moves = self.viewpoint.moved || self.viewpoint.flies(self.controls.flight());
+        if works || self.activity.redraw || moves {
+            return Some(self.activity.last_frame + pace::FRAME);
         }
         let pixel = self.pixel_under_pointer();
-        let reading = self.panel.next_reading(&mut self.engine, pixel, self.film_began);
-        [self.pace.settles_at(), self.notice_ends, self.ui_again, reading].into_iter().flatten().min()
+        let reading = self.panel.next_reading(&mut self.engine, pixel, self.tracing.began);
+        [self.tracing.pace.settles_at(), self.overlay.expires_at(), self.activity.ui_again, reading]
+            .into_iter()
+            .flatten()
+            .min()
     }
 }

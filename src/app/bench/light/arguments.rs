@@ -8,7 +8,7 @@ use glam::UVec2;
 use super::configuration::{self, Configuration};
 use super::measure::Extent;
 use crate::app::Failure;
-use crate::app::values::size;
+use crate::app::shared::values::size;
 use crate::components::Render;
 use crate::scene;
 

@@ -4,7 +4,7 @@ use super::configuration::Configuration;
 use super::record::{ConfigurationRecord, Run, Snapshot};
 use super::reference::Reference;
 use crate::app::bench::BenchError;
-use crate::app::tracer::{Monitor, Tracer};
+use crate::app::shared::tracer::{Monitor, Tracer};
 use crate::components::Render;
 use crate::stats::metrics::relative_mse;
 

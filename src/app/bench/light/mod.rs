@@ -20,11 +20,12 @@ use std::time::{SystemTime, UNIX_EPOCH};
 pub use arguments::LightArguments;
 
 use super::BenchError;
-use crate::app::failure::show;
-use crate::app::interrupt::Interrupt;
-use crate::app::progress::{Goal, Meter};
-use crate::app::tracer::{Monitor, Tracer};
-use crate::app::{Exit, Failure, output};
+use crate::app::shared::failure::show;
+use crate::app::shared::interrupt::Interrupt;
+use crate::app::shared::output;
+use crate::app::shared::progress::{Goal, Meter};
+use crate::app::shared::tracer::{Monitor, Tracer};
+use crate::app::{Exit, Failure};
 use crate::gpu::Gpu;
 use crate::image::file;
 use crate::scene::{self, SceneDescription};

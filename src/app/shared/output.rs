@@ -3,8 +3,7 @@
 use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
-use super::Failure;
-use super::failure::show;
+use super::failure::{Failure, show};
 use crate::image::{Output, Outputs};
 
 /// stdout could not be written, for another reason than that nobody reads it.

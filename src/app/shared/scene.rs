@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::Failure;
-use super::failure::show;
+use super::failure::{Failure, show};
 use super::settings::SettingFlags;
 use super::values::define;
 use crate::scene::settings::Settings;

@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::{Exit, output};
+use super::failure::Exit;
+use super::output;
 
 /// What a command has to come to its own end. Reading, compiling and drivers may not come to one in any time.
 const GRACE: Duration = Duration::from_millis(500);

@@ -1,0 +1,11 @@
+//! What several commands share.
+
+pub mod compiling;
+pub(super) mod failure;
+pub(super) mod interrupt;
+pub(super) mod output;
+pub(super) mod progress;
+pub(super) mod scene;
+pub(super) mod settings;
+pub(super) mod tracer;
+pub(super) mod values;
