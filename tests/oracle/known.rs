@@ -15,7 +15,7 @@ use super::{SMALL, batch, glass, veil};
 fn furnace(albedo: f32, max_depth: u32) -> Oracle {
     let mut stage = Stage::new(UVec2::splat(6), max_depth, DVec3::new(0.2, -0.3, 0.1), DVec3::new(1.0, 0.5, 0.3));
     let wall = Material { emission: Vec3::splat(3.0), ..matte(Vec3::splat(albedo)) };
-    stage.walls([(); 6].map(|_| Some(wall.clone())));
+    stage.walls([(); 6].map(|_| Some(wall)));
     stage.oracle()
 }
 

@@ -92,7 +92,7 @@ impl Stage {
         let mut stage = Self::new(size, 6, DVec3::new(0.1, 0.05, 3.4), DVec3::ZERO);
         let white = Some(matte(Vec3::splat(0.73)));
         let (red, green) = (Some(matte(Vec3::new(0.63, 0.1, 0.1))), Some(matte(Vec3::new(0.14, 0.45, 0.2))));
-        stage.walls([red, green, white.clone(), white.clone(), white, None]);
+        stage.walls([red, green, white, white, white, None]);
         stage.part(&quad(Vec3::new(-0.7, 0.98, -0.7), Vec3::X * 1.4, Vec3::Z * 1.4), glowing(Vec3::splat(4.0)));
         let [left, right] = balls;
         stage.ball(DVec3::new(-0.45, -0.5, -0.3), 0.45, left);

@@ -11,6 +11,7 @@ use crate::systems::resources::{Everything, MaterialSlot, Policy};
 use crate::systems::run::counted;
 
 type Touched = (With<Material>, Or<(Changed<Material>, Changed<Name>)>);
+type Stray = (With<MaterialSlot>, Or<(Without<Material>, Without<Name>)>);
 
 pub fn add_systems(schedule: &mut Schedule) {
     let system = extract_materials.pipe(counted("extract_materials"));
@@ -32,7 +33,7 @@ fn materials_changed(
 /// Packs all records, and gives each material the slot that its name's place in the order says.
 fn extract_materials(
     materials: Query<(Entity, &Name, &Material, Option<&MaterialSlot>)>,
-    stray: Query<Entity, (With<MaterialSlot>, Or<(Without<Material>, Without<Name>)>)>,
+    stray: Query<Entity, Stray>,
     policy: Res<Policy>,
     mut records: ResMut<GpuTable<MaterialRecord>>,
     mut commands: Commands,
