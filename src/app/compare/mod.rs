@@ -21,7 +21,7 @@ use crate::image::{Pixel, Source};
 use crate::stats::blocks::{Blocks, Grid};
 use crate::stats::metrics::{Census, Difference, comparable, peak_signal_to_noise};
 
-/// Blocks along the longer side, where nothing else is asked for.
+/// Blocks along the longer side, by default.
 const BLOCKS: u32 = 16;
 
 /// Pictures that are not to be compared with each other.
@@ -41,7 +41,7 @@ enum CompareError {
     Nothing { a: String, b: String },
 }
 
-/// Reads, compares and tells.
+/// Reads, compares and reports.
 pub fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
     let heat = heat(arguments)?;
     let (a, b) = (Source::open(&arguments.a)?, Source::open(&arguments.b)?);

@@ -21,7 +21,7 @@ const MOST_STOPS: f32 = 64.0;
 const ZOOM_RANGE: [f64; 2] = [1e-4, 1e3];
 
 impl Session {
-    /// Does what was asked for.
+    /// Does what the user wants.
     pub(super) fn act(&mut self, intent: Intent) {
         let now = Instant::now();
         match intent {
@@ -40,7 +40,7 @@ impl Session {
             }
             Intent::Restart => {
                 self.engine.restart_film();
-                self.look_again();
+                self.resume();
             }
             Intent::Exposure(stops) => self.expose(stops),
             Intent::PrintCamera => self.print_camera(),
@@ -54,7 +54,7 @@ impl Session {
             }
             Intent::Reload => {
                 self.engine.reload();
-                self.look_again();
+                self.resume();
             }
             Intent::Judge => self.toggle_judging(),
             Intent::Split => self.toggle_split(),
@@ -99,7 +99,7 @@ impl Session {
         });
         if let Some(exposure) = exposure {
             self.notify(format!("exposure {exposure:+} stops"));
-            self.look_again();
+            self.resume();
         }
     }
 
