@@ -85,7 +85,7 @@ fn assets() -> PathBuf {
 fn check_shaders() -> (usize, usize, usize) {
     let library = Library::shipped();
     let mut variants = 0;
-    // One mistake in a shared module would be told once a pass.
+    // One mistake in a shared module would be reported once a pass.
     let (mut errors, mut warnings) = (BTreeSet::new(), BTreeSet::new());
     for pass in TABLE {
         match check_pass(&library, pass) {

@@ -29,7 +29,7 @@ pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            // Help and version are asked for, and go to stdout; a closed pipe there is no error.
+            // Help and version are no errors, and go to stdout; a closed pipe there is no error.
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { Exit::Usage } else { Exit::Done });
         }

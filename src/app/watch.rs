@@ -30,10 +30,10 @@ pub struct WatchArguments {
     pub quiet: bool,
 }
 
-/// Tracing between two looks at what was saved.
+/// Tracing between two polls of what was saved.
 const STEP: Duration = Duration::from_millis(30);
 
-/// Between two looks at signals, while there is nothing to trace.
+/// Between two polls of signals, while there is nothing to trace.
 const IDLE: Duration = Duration::from_millis(200);
 
 /// Renders until a signal comes, or nobody reads the events any more.
@@ -48,7 +48,7 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
         if is_due(seconds) {
             let since = Duration::from_secs(seconds);
             // Nobody may be left to read it: the next event finds out.
-            tell(&as_json(&ReloadEvent::Compiling { files: Vec::new(), since, given_up: 0, warnings: Vec::new() }));
+            emit(&as_json(&ReloadEvent::Compiling { files: Vec::new(), since, given_up: 0, warnings: Vec::new() }));
             if !quiet {
                 output::note(&line(seconds));
             }
@@ -64,11 +64,11 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
             let _ = wake.send(());
         })
         .map_err(Failure::of)?;
-    if !tell(&started) {
+    if !emit(&started) {
         return Ok(Exit::Done);
     }
-    while !interrupt.asked() {
-        if step.finished && step.samples > 0 && !tell(&json!({ "event": "finished", "spp": step.spp })) {
+    while !interrupt.requested() {
+        if step.finished && step.samples > 0 && !emit(&json!({ "event": "finished", "spp": step.spp })) {
             return Ok(Exit::Done);
         }
         if step.finished && step.dispatches == 0 {
@@ -80,7 +80,7 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
             if !arguments.quiet {
                 show_problems(&event);
             }
-            if !tell(&as_json(&event)) {
+            if !emit(&as_json(&event)) {
                 return Ok(Exit::Done);
             }
         }
@@ -92,11 +92,11 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
                 if !arguments.quiet {
                     show_problems(&event);
                 }
-                if !tell(&as_json(&event)) {
+                if !emit(&as_json(&event)) {
                     return Ok(Exit::Done);
                 }
                 // Until something is saved, it would fail again.
-                while !engine.has_saves() && !interrupt.asked() {
+                while !engine.has_saves() && !interrupt.requested() {
                     let _ = woken.recv_timeout(IDLE);
                 }
                 Progress { samples: 0, ..step }
@@ -112,7 +112,7 @@ fn failure(problem: Problem) -> ReloadEvent {
 }
 
 /// Writes a line to stdout. False if nobody reads it.
-fn tell(event: &Value) -> bool {
+fn emit(event: &Value) -> bool {
     let mut out = std::io::stdout().lock();
     writeln!(out, "{event}").and_then(|()| out.flush()).is_ok()
 }

@@ -9,7 +9,7 @@ use exr::meta::{mip_map_levels, rip_map_levels};
 use exr::prelude::*;
 use glam::{IVec2, UVec2};
 use lucerna::components::Crop;
-use lucerna::image::{Shown, Source};
+use lucerna::image::{PictureFile, Shown};
 
 use super::{picture, refused, shown, value};
 
@@ -104,7 +104,7 @@ fn any_part_of_a_file_is_read_by_itself() {
         write(&path, SampleType::F32, encoding, IVec2::ZERO, (IVec2::ZERO, SIZE));
         for (min, max) in [((0, 0), (9, 7)), ((3, 2), (5, 6)), ((8, 6), (9, 7)), ((0, 3), (9, 4)), ((4, 4), (4, 4))] {
             let window = Crop { min: UVec2::from(min), max: UVec2::from(max) };
-            let found = Source::open(&path).unwrap().read(window).unwrap();
+            let found = PictureFile::open(&path).unwrap().read(window).unwrap();
             let all = (min.1..max.1).flat_map(|y| (min.0..max.0).map(move |x| (x, y)));
             let right: Vec<[f32; 3]> = all.map(|(x, y)| [0, 1, 2].map(|c| value(x.into(), y.into(), c))).collect();
             assert_eq!(found, right, "{blocks:?} {window:?}");
@@ -178,7 +178,7 @@ fn pixels_are_where_the_windows_say() {
                 }
                 assert_eq!(found.warnings.len(), usize::from(!told.is_empty()), "{:?}", found.warnings);
                 assert!(found.warnings.iter().all(|warning| warning.contains(told)), "{:?}", found.warnings);
-                let source = Source::open(&path).unwrap();
+                let source = PictureFile::open(&path).unwrap();
                 assert_eq!((source.size, source.place), (SIZE, Some(place)));
                 assert_eq!(source.read_all().unwrap(), picture(SIZE));
             }
@@ -210,7 +210,7 @@ fn extreme_windows_take_no_memory() {
                 let error = Shown::read(&path).expect_err("too large to be shown").to_string();
                 assert!(error.contains("too large") || error.contains("display window"), "{error}");
                 std::fs::write(&path, patch(&bytes, "dataWindow", 1, IVec2::splat(extreme))).unwrap();
-                Source::open(&path).expect_err("too large to be read");
+                PictureFile::open(&path).expect_err("too large to be read");
                 Shown::read(&path).expect_err("its pixels are not there");
                 std::fs::write(&path, patch(&bytes, "dataWindow", 0, IVec2::splat(-extreme))).unwrap();
                 Shown::read(&path).expect_err("its pixels are not there");
@@ -230,7 +230,7 @@ fn a_part_of_a_huge_data_window_is_read() {
     let mut image = Image::from_layer(layer);
     image.attributes.display_window = IntegerBounds::new((10, 19_000), (4, 3));
     image.write().to_file(&path).unwrap();
-    assert!(Source::open(&path).unwrap_err().to_string().contains("40x20000"));
+    assert!(PictureFile::open(&path).unwrap_err().to_string().contains("40x20000"));
     let found = shown(&path);
     let right: Vec<[f32; 3]> =
         (19_000..19_003).flat_map(|y| (10..14).map(move |x| [x as f32, y as f32, 1.0])).collect();

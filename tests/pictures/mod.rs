@@ -9,7 +9,7 @@ mod png;
 use std::path::Path;
 
 use glam::UVec2;
-use lucerna::image::{Fault, Shown, Source};
+use lucerna::image::{Fault, PictureFile, Shown};
 use miette::Diagnostic;
 
 /// A file that is read whole.
@@ -20,7 +20,7 @@ fn shown(path: &Path) -> Shown {
 /// What is said of a file that can't be read, whichever way it is.
 fn refused(path: &Path) -> String {
     let error = Shown::read(path).expect_err("the file can't be read");
-    let by_parts = Source::open(path).and_then(|source| source.read_all()).expect_err("the file can't be read");
+    let by_parts = PictureFile::open(path).and_then(|source| source.read_all()).expect_err("the file can't be read");
     if !matches!(error.fault, Fault::TooLarge(_)) {
         assert_eq!(error.to_string(), by_parts.to_string());
     }

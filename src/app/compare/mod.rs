@@ -17,11 +17,11 @@ use crate::app::shared::output;
 use crate::app::{Exit, Failure};
 use crate::components::Crop;
 use crate::image::srgb::srgb_byte;
-use crate::image::{Pixel, Source};
+use crate::image::{PictureFile, Pixel};
 use crate::stats::blocks::{Blocks, Grid};
 use crate::stats::metrics::{Census, Difference, comparable, peak_signal_to_noise};
 
-/// Blocks along the longer side, where nothing else is asked for.
+/// Blocks along the longer side, by default.
 const BLOCKS: u32 = 16;
 
 /// Pictures that are not to be compared with each other.
@@ -41,10 +41,10 @@ enum CompareError {
     Nothing { a: String, b: String },
 }
 
-/// Reads, compares and tells.
+/// Reads, compares and reports.
 pub fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
     let heat = heat(arguments)?;
-    let (a, b) = (Source::open(&arguments.a)?, Source::open(&arguments.b)?);
+    let (a, b) = (PictureFile::open(&arguments.a)?, PictureFile::open(&arguments.b)?);
     let (windows, origin) = windows(&a, &b, arguments.crop).map_err(Failure::of)?;
     if let Some(output) = &arguments.output {
         output.prepare(&[arguments.a.clone(), arguments.b.clone()])?;
@@ -74,12 +74,12 @@ fn heat(arguments: &CompareArguments) -> Result<Option<Heat>, Failure> {
 }
 
 /// The window of each file, and where both begin.
-fn windows(a: &Source, b: &Source, crop: Option<Crop>) -> Result<([Crop; 2], IVec2), CompareError> {
+fn windows(a: &PictureFile, b: &PictureFile, crop: Option<Crop>) -> Result<([Crop; 2], IVec2), CompareError> {
     let (a_name, b_name) = (a.path.display().to_string(), b.path.display().to_string());
     // If one of them doesn't say where it belongs, both are taken to begin at the same place.
     let places = a.place.zip(b.place).map_or([IVec2::ZERO; 2], |(a, b)| [a, b]);
     if let Some(crop) = crop {
-        let within = |source: &Source, place: IVec2| {
+        let within = |source: &PictureFile, place: IVec2| {
             let corner = |c: UVec2| (c.as_i64vec2() - place.as_i64vec2()).try_into().ok();
             let window = corner(crop.min).zip(corner(crop.max)).map(|(min, max)| Crop { min, max });
             let name = source.path.display().to_string();
@@ -97,7 +97,7 @@ fn windows(a: &Source, b: &Source, crop: Option<Crop>) -> Result<([Crop; 2], IVe
     Ok(([Crop { min: UVec2::ZERO, max: a.size }; 2], places[0]))
 }
 
-fn side(source: &Source, window: Crop) -> Result<Side, Failure> {
+fn side(source: &PictureFile, window: Crop) -> Result<Side, Failure> {
     let pixels = source.read(window)?;
     let name = source.path.display().to_string();
     for note in source.notes.iter().chain(&source.warnings) {

@@ -19,7 +19,7 @@ pub enum End {
     Narrow,
     /// The time is over.
     Time,
-    /// There are as many films as were asked for.
+    /// There are as many films as were wanted.
     Films,
 }
 
@@ -65,7 +65,7 @@ impl Agreement {
 }
 
 impl Verdict {
-    /// By an analysis of the means, the least difference of the whole picture that was to be found, and the numbers that are to be told
+    /// By an analysis of the means, the least difference of the whole picture that was to be found, and the numbers that are to be reported
     /// only where it would have been.
     pub fn of(means: &Means, within: f64, ratio: Option<Ratio>, estimators: [Estimator; 2]) -> Self {
         match means.least_found {

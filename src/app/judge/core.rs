@@ -28,10 +28,10 @@ const LEAST_FILMS: usize = 64;
 /// Half an interval's width by the ratio that is narrow enough.
 const NARROW: f64 = 0.05;
 
-/// Of judging, where nothing else is asked for.
+/// Of judging, by default.
 pub const SECONDS: f64 = 30.0;
 
-/// The least difference of the whole picture that is to be found before anything else is said, where nothing else is asked for.
+/// The least difference of the whole picture that is to be found before anything else is said, by default.
 pub const WITHIN: f64 = 0.005;
 
 /// How to judge.

@@ -36,7 +36,7 @@ use report::JudgeSummary;
 /// What is said of code that is the same.
 pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 
-/// Judges until all is clear or the time is over, and tells.
+/// Judges until all is clear or the time is over, and reports.
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     let begin = Instant::now();
     let interrupt = Interrupt::listen(Exit::Interrupted);
@@ -102,7 +102,7 @@ fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -
             Ok(Some(analysis)) if analysis.ended.is_some() => break analysis,
             step => step?,
         };
-        // From the first films on there is something to tell.
+        // From the first films on there is something to report.
         interrupt.hold();
         meter.show(judge.films() as u64, &standing(judge));
     };

@@ -65,7 +65,7 @@ impl JudgeSummary<'_> {
                 End::Time => "time is over",
                 End::Films => "all films are traced",
             }),
-            // Null where means differ or can't be told, and where films have no noise.
+            // Null where means differ or can't be compared, and where films have no noise.
             "efficiency": agreement.and_then(|agreement| agreement.ratio()).map(|ratio| {
                 json!({ "ratio": ratio.ratio, "low": ratio.low, "high": ratio.high })
             }),
@@ -176,7 +176,7 @@ fn difference(at: &Difference) -> Value {
     })
 }
 
-/// A folder's name as it is told.
+/// A folder's name as it is shown.
 fn folder(path: Option<&Path>) -> String {
     path.map_or("built in".to_owned(), |path| path.display().to_string())
 }

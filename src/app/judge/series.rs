@@ -51,7 +51,7 @@ impl Series {
         2 * self.trials.len()
     }
 
-    /// Whether there are films enough to tell anything of means.
+    /// Whether there are films enough to say anything of means.
     pub fn tells(&self) -> bool {
         self.test.tells()
     }

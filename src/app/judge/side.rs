@@ -1,4 +1,4 @@
-//! One estimator: an engine of its own, that traces a film whenever it is asked for one.
+//! One estimator: an engine of its own, that traces a film whenever one is wanted.
 
 use std::sync::Arc;
 

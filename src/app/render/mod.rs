@@ -21,7 +21,7 @@ use crate::image::{Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
 use report::{RenderSummary, Seconds};
 
-/// Tracing between two looks at the clock and at signals.
+/// Tracing between two polls of the clock and of signals.
 const STEP: Duration = Duration::from_millis(100);
 
 /// What is said where there is nothing to write.
@@ -74,7 +74,7 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         seconds,
         interrupted,
     };
-    let saved = save_and_tell(&summary, &mut outputs)?;
+    let saved = save_and_report(&summary, &mut outputs)?;
     Ok(match (saved && prepared, interrupted) {
         (false, _) => Exit::Failed,
         (true, true) => Exit::Interrupted,
@@ -83,7 +83,7 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
 }
 
 /// Writes the files, then says so; whether all were written.
-fn save_and_tell(summary: &RenderSummary, outputs: &mut Outputs) -> Result<bool, Failure> {
+fn save_and_report(summary: &RenderSummary, outputs: &mut Outputs) -> Result<bool, Failure> {
     let metadata = summary.metadata();
     let picture = Picture {
         size: summary.film.size,
@@ -136,7 +136,7 @@ fn trace(
         if step.samples > 0 {
             interrupt.hold();
         }
-        let ended = match (step.finished, interrupt.asked()) {
+        let ended = match (step.finished, interrupt.requested()) {
             (true, _) => Some(Ended::Finished),
             (false, true) => Some(Ended::Interrupted),
             // Short of time, every pixel still gets one sample.

@@ -120,7 +120,7 @@ impl RenderSummary<'_> {
             "rays": report.rays,
             "rays_per_second": self.rays_per_second(),
             "mean": film.mean,
-            // Null with one sample a pixel: from that no error can be told.
+            // Null with one sample a pixel: that gives no error.
             "relative_error": (film.spp > 1).then_some(film.relative_error),
             "bad_samples": report.bad_samples,
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),

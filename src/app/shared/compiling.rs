@@ -8,7 +8,7 @@ use std::time::Duration;
 /// Compiling that is over sooner is not worth a word.
 const SECOND: Duration = Duration::from_secs(1);
 
-/// What to tell an engine to call: `show` is called from another thread with the seconds that compiling has taken, each
+/// What an engine is to call: `show` is called from another thread with the seconds that compiling has taken, each
 /// second from the first on, and no more once compiling is over.
 pub fn watch_compiling(show: impl Fn(u64) + Clone + Send + Sync + 'static) -> impl Fn(bool) + Send + Sync + 'static {
     let clock: Mutex<Option<(Sender<()>, JoinHandle<()>)>> = Mutex::default();

@@ -12,7 +12,7 @@ use crate::shader::ShaderError;
 /// What the process ends with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exit {
-    /// All that was asked for was done.
+    /// All was done.
     Done,
     /// Wrong input, or an error on the way.
     Failed,
@@ -145,7 +145,7 @@ pub fn show(diagnostic: &dyn miette::Diagnostic) {
         None => rendered(diagnostic, colour),
         Some(_) => related.map(|one| rendered(one, colour)).collect(),
     };
-    // If stderr is closed, nobody is there to be told.
+    // If stderr is closed, nobody reads it.
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 

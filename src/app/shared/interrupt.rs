@@ -53,7 +53,7 @@ impl Interrupt {
     }
 
     /// Whether a signal has come.
-    pub fn asked(&self) -> bool {
+    pub fn requested(&self) -> bool {
         self.asked.load(Ordering::SeqCst)
     }
 

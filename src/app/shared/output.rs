@@ -30,7 +30,7 @@ pub fn note(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{text}");
 }
 
-/// Tries the places of files that are to be written, and tells of those where none can be, or where one is that is `read`. Says
+/// Tries the places of files that are to be written, and reports those where none can be, or where one is that is `read`. Says
 /// whether all can; fails if none can.
 pub fn prepare(outputs: &[Output], read: &[PathBuf]) -> Result<(Outputs, bool), Failure> {
     let (outputs, mut failures) = Outputs::prepare(outputs, read);

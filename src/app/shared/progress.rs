@@ -14,10 +14,10 @@ const FINE: u64 = 10_000;
 /// Between two lines where stderr is no terminal.
 const LINE: Duration = Duration::from_secs(10);
 
-/// Between two looks at the film's error, at least.
+/// Between two readings of the film's error, at least.
 const LOOK: Duration = Duration::from_secs(2);
 
-/// A look may cost one part in so many of the time.
+/// A reading may cost one part in so many of the time.
 const LOOK_SHARE: u32 = 50;
 
 /// What ends the render.
@@ -133,7 +133,7 @@ impl Meter {
         }
     }
 
-    /// Whether it is time to look at the film's error: not too often, since reading the film back takes time.
+    /// Whether it is time to read the film's error: not too often, since reading the film back takes time.
     pub fn wants_error(&self) -> bool {
         let due = LOOK.max(self.look_cost * LOOK_SHARE);
         self.shown != Shown::Nothing && self.spp >= 2 && self.looked.elapsed() >= due

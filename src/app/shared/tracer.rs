@@ -11,7 +11,7 @@ use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::{Features, Library};
 
-/// Tracing between two looks at signals: as long as that of a headless render.
+/// Tracing between two polls of signals: as long as that of a headless render.
 const STEP: Duration = Duration::from_millis(100);
 
 /// Shows how far all is, and listens for signals.
@@ -62,7 +62,7 @@ impl Tracer {
         loop {
             let step = self.step()?;
             monitor.meter.advance(step.samples, step.spp);
-            match (step.finished, monitor.interrupt.asked()) {
+            match (step.finished, monitor.interrupt.requested()) {
                 (true, _) => return Ok(true),
                 (false, true) => return Ok(false),
                 (false, false) => {}

@@ -91,7 +91,7 @@ impl ApplicationHandler for Application {
     /// A wake-up from elsewhere: something outside may have changed, and a step of the engine finds out.
     fn user_event(&mut self, _: &ActiveEventLoop, (): ()) {
         if let Some(session) = &mut self.session {
-            session.look_again();
+            session.resume();
         }
     }
 

@@ -179,7 +179,7 @@ impl Session {
         // Else the next step would take the time of drawing for that of its samples.
         self.gpu.wait()?;
         self.follow_panel(outcome);
-        // egui asks for nothing by the longest of times.
+        // egui says by the longest of times that it wants nothing.
         self.activity.ui_again = begin.checked_add(again).filter(|_| again < Duration::from_secs(3600));
         self.set_title();
         Ok(())

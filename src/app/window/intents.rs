@@ -19,7 +19,7 @@ use crate::scene::settings::MOST_STOPS;
 const ZOOM_RANGE: [f64; 2] = [1e-4, 1e3];
 
 impl Session {
-    /// Does what was asked for.
+    /// Does what the user wants.
     pub(super) fn act(&mut self, intent: Intent) {
         let now = Instant::now();
         match intent {
@@ -38,7 +38,7 @@ impl Session {
             }
             Intent::Restart => {
                 self.engine.restart_film();
-                self.look_again();
+                self.resume();
             }
             Intent::Exposure(stops) => self.expose(stops),
             Intent::PrintCamera => self.print_camera(),
@@ -52,7 +52,7 @@ impl Session {
             }
             Intent::Reload => {
                 self.engine.reload();
-                self.look_again();
+                self.resume();
             }
             Intent::Judge => self.toggle_judging(),
             Intent::Split => self.toggle_split(),
@@ -97,7 +97,7 @@ impl Session {
         });
         if let Some(exposure) = exposure {
             self.notify(format!("exposure {exposure:+} stops"));
-            self.look_again();
+            self.resume();
         }
     }
 

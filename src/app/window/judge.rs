@@ -9,7 +9,7 @@ impl Session {
         if self.judgement.is_shown() {
             self.end_judging();
             self.notify("no longer judged".to_owned());
-            self.look_again();
+            self.resume();
             return;
         }
         let name = self.name().to_owned();

@@ -57,7 +57,7 @@ impl Judgement {
 
     /// Receives what was found since the last call. Says whether there was anything.
     pub fn receive(&mut self) -> bool {
-        self.judging.as_mut().is_some_and(Judging::take)
+        self.judging.as_mut().is_some_and(Judging::receive)
     }
 
     /// Ends judging. Says whether there was any.

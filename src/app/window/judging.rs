@@ -15,11 +15,11 @@ use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::Library;
 
-/// Between two lines about how far it is: each has the window drawn.
-const TELL: Duration = Duration::from_millis(500);
+/// Between two messages of how far it is: each has the window drawn.
+const REPORT: Duration = Duration::from_millis(500);
 
-/// What the thread tells.
-enum Word {
+/// What the thread sends.
+enum Message {
     /// How far it is.
     Standing(String),
     /// An analysis, and the mean radiance of the films so far, the old shaders' first.
@@ -30,7 +30,7 @@ enum Word {
 
 /// Judging that is under way, or over.
 pub struct Judging {
-    words: Receiver<Word>,
+    messages: Receiver<Message>,
     stop: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
     /// By which radiance is multiplied to be shown.
@@ -49,16 +49,16 @@ impl Judging {
     /// Starts to judge. `wake` is called whenever there is something to take.
     pub fn start(gpu: Arc<Gpu>, sides: [Library; 2], scene: SceneDescription, wake: EventLoopProxy<()>) -> Self {
         let stop = Arc::new(AtomicBool::new(false));
-        let (sender, words) = channel();
+        let (sender, messages) = channel();
         let (exposure, told) = (scene.film.exposure, stop.clone());
         let thread = std::thread::spawn(move || {
             if let Err(error) = judge(&gpu, &sides, &scene, &told, &sender, &wake) {
-                let _ = sender.send(Word::Failed(error));
+                let _ = sender.send(Message::Failed(error));
             }
             let _ = wake.send_event(());
         });
         Self {
-            words,
+            messages,
             stop,
             thread: Some(thread),
             scale: f64::from(exposure).exp2(),
@@ -74,16 +74,16 @@ impl Judging {
         !self.over
     }
 
-    /// Takes what has come. Whether there was anything.
-    pub fn take(&mut self) -> bool {
-        let words: Vec<Word> = self.words.try_iter().collect();
-        for word in &words {
-            match word {
-                Word::Standing(standing) => {
+    /// Receives what the thread has sent. Whether there was anything.
+    pub fn receive(&mut self) -> bool {
+        let messages: Vec<Message> = self.messages.try_iter().collect();
+        for message in &messages {
+            match message {
+                Message::Standing(standing) => {
                     let found = self.found.as_deref().unwrap_or("nothing can be told yet");
                     self.line = format!("judging: {standing}; {found}");
                 }
-                Word::Analysis(analysis, pictures) => {
+                Message::Analysis(analysis, pictures) => {
                     self.over = analysis.ended.is_some();
                     let state = if self.over { "judged" } else { "judging" };
                     let (found, size) = (analysis.line(), analysis.size);
@@ -94,11 +94,11 @@ impl Judging {
                     self.found = Some(found);
                     self.split = Some((size, self.split_picture(analysis, pictures)));
                 }
-                Word::Unchanged => (self.over, self.line) = (true, format!("judged: {UNCHANGED}")),
-                Word::Failed(error) => (self.over, self.line) = (true, rendered(error, false)),
+                Message::Unchanged => (self.over, self.line) = (true, format!("judged: {UNCHANGED}")),
+                Message::Failed(error) => (self.over, self.line) = (true, rendered(error, false)),
             }
         }
-        !words.is_empty()
+        !messages.is_empty()
     }
 
     fn split_picture(&self, analysis: &Analysis, [old, new]: &[Vec<[f32; 3]>; 2]) -> Vec<[u8; 4]> {
@@ -126,7 +126,7 @@ impl Drop for Judging {
     }
 }
 
-/// Threads that are told to end, and are waited for before the device goes.
+/// Threads that were stopped, and are waited for before the device goes.
 #[derive(Default)]
 pub struct Ending(Vec<JoinHandle<()>>);
 
@@ -152,7 +152,7 @@ fn judge(
     [old, new]: &[Library; 2],
     scene: &SceneDescription,
     stop: &Arc<AtomicBool>,
-    words: &Sender<Word>,
+    messages: &Sender<Message>,
     wake: &EventLoopProxy<()>,
 ) -> Result<(), JudgeError> {
     let plan = Plan {
@@ -167,22 +167,22 @@ fn judge(
     };
     let mut judge = Judge::open(gpu, [old, new], scene, plan, stop.clone())?;
     if !judge.changed() {
-        let _ = words.send(Word::Unchanged);
+        let _ = messages.send(Message::Unchanged);
         return Ok(());
     }
     let mut told = Instant::now();
     loop {
         let analysis = judge.advance()?;
         let ended = analysis.as_ref().is_some_and(|analysis| analysis.ended.is_some());
-        let word = match analysis {
-            Some(analysis) => Word::Analysis(Box::new(analysis), judge.pictures()),
-            None if told.elapsed() >= TELL => Word::Standing(standing(&judge)),
+        let message = match analysis {
+            Some(analysis) => Message::Analysis(Box::new(analysis), judge.pictures()),
+            None if told.elapsed() >= REPORT => Message::Standing(standing(&judge)),
             None => continue,
         };
         told = Instant::now();
         // A window that has gone takes nothing.
-        let taken = words.send(word).is_ok();
-        if ended || !taken {
+        let received = messages.send(message).is_ok();
+        if ended || !received {
             return Ok(());
         }
         let _ = wake.send_event(());

@@ -63,7 +63,7 @@ pub fn fly(camera: Camera, step: DVec3) -> Camera {
     translate(camera, step.x * right + step.y * camera.up.normalize_or(DVec3::Y) + step.z * forward)
 }
 
-/// Looks, from where it looks now, at all of the box between `low` and `high`. `aspect` is the film's width by its height.
+/// Moves back or forth, the direction unchanged, to see all of the box between `low` and `high`. `aspect` is the film's width by its height.
 /// A box without corners changes nothing.
 pub fn frame(camera: Camera, low: DVec3, high: DVec3, aspect: f64) -> Camera {
     let radius = 0.5 * (high - low).length();

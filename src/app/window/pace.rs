@@ -58,7 +58,7 @@ impl Pace {
         self.settles
     }
 
-    /// Whether it stands still since the last time this was asked.
+    /// Whether it stands still since the last call.
     pub fn settle(&mut self, now: Instant) -> bool {
         self.settles.take_if(|at| *at <= now).is_some()
     }

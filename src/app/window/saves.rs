@@ -8,7 +8,7 @@ use crate::app::shared::output;
 use crate::watch::ReloadEvent;
 
 impl Session {
-    /// Takes up what the last step of the engine tells. Each failure goes to the terminal once, and stands over the picture
+    /// Follows the events of the engine's last step. Each failure goes to the terminal once, and stands over the picture
     /// until it is mended.
     pub(super) fn follow_saves(&mut self) {
         for event in self.engine.events() {
@@ -26,7 +26,7 @@ impl Session {
                         [one] => one.to_string_lossy().into_owned(),
                         [one, others @ ..] => format!("{} and {} more", one.to_string_lossy(), others.len()),
                     };
-                    self.tell(format!("{what} taken up after {}: {restarts} anew", milliseconds(since_save)));
+                    self.report(format!("{what} taken up after {}: {restarts} anew", milliseconds(since_save)));
                     self.end_judging();
                     self.follow_shaders(restarts.film);
                     if restarts.film {
@@ -39,10 +39,10 @@ impl Session {
                         0 => String::new(),
                         count => format!(", beside {count} older that the driver has not ended"),
                     };
-                    self.tell(format!("compiling .. {} s{others}", since.as_secs()));
+                    self.report(format!("compiling .. {} s{others}", since.as_secs()));
                 }
                 ReloadEvent::FirstPixels { since_save } => {
-                    self.tell(format!("new pixels {} after the save", milliseconds(since_save)));
+                    self.report(format!("new pixels {} after the save", milliseconds(since_save)));
                 }
                 ReloadEvent::Linted { warnings, .. } => {
                     warnings.iter().for_each(|warning| show(&*warning.diagnostic));
@@ -68,7 +68,7 @@ impl Session {
         self.activity.working = true;
     }
 
-    fn tell(&mut self, text: String) {
+    fn report(&mut self, text: String) {
         output::note(&text);
         self.notify(text);
     }

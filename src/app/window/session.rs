@@ -34,7 +34,7 @@ pub struct Opening {
     flags: SceneFlags,
     /// The shaders to go on with, where a device was lost; else they are read.
     shaders: Option<Library>,
-    /// Has the window look when something was saved.
+    /// Wakes the window when something was saved.
     wake: EventLoopProxy<()>,
 }
 
@@ -49,7 +49,7 @@ impl Opening {
         let wake = self.wake.clone();
         let sources = self.flags.sources(self.opened.clone(), library);
         let woken = move || {
-            // A window that has gone has nothing to look at.
+            // A window that has gone has nothing to wake for.
             let _ = wake.send_event(());
         };
         if let Err(error) = engine.watch(sources, woken) {
@@ -158,7 +158,7 @@ impl Session {
     }
 
     /// The next step may find something to do.
-    pub fn look_again(&mut self) {
+    pub fn resume(&mut self) {
         self.activity.working = true;
         self.activity.redraw |= self.judgement.is_shown();
     }

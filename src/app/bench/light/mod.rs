@@ -45,7 +45,7 @@ struct Subject {
     reference: Option<Reference>,
 }
 
-/// Measures, writes all files, and compares with an earlier benchmark if that is asked for.
+/// Measures, writes all files, and compares with an earlier benchmark if that is wanted.
 pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let earlier = arguments.against.as_deref().map(against::read).transpose()?;
@@ -71,16 +71,16 @@ pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
     }
     monitor.meter.finish();
     monitor.interrupt.hold();
-    bench.interrupted = monitor.interrupt.asked() || fault.is_some();
+    bench.interrupted = monitor.interrupt.requested() || fault.is_some();
     let told = tell(&bench, arguments, earlier.as_ref())?;
-    match (fault, monitor.interrupt.asked()) {
+    match (fault, monitor.interrupt.requested()) {
         (Some(error), _) => Err(error.into()),
         (None, true) => Ok(Exit::Interrupted),
         (None, false) => Ok(told),
     }
 }
 
-/// Reads a scene, and looks for its reference.
+/// Reads a scene, and finds its reference.
 fn subject(name: &str, arguments: &LightArguments, library: &Library) -> Result<Subject, Failure> {
     let loaded = scene::load(&scene::find(name)?, &[])?;
     if !arguments.quiet {
@@ -143,7 +143,7 @@ fn measure_scene(
     bench: &mut Bench,
 ) -> Result<(), BenchError> {
     let Subject { description, shelf, reference } = subject;
-    if monitor.interrupt.asked() {
+    if monitor.interrupt.requested() {
         return Ok(());
     }
     let mut tracer = Tracer::open(gpu, library, &description)?;

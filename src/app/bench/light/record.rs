@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::stats::summary::{Crossing, Slope, Summary, crossing, log_log_slope};
 
-/// The relMSE that it is told how long it takes to reach.
+/// The relMSE whose time to reach is reported.
 pub const TARGET: f64 = 1e-3;
 
 /// A reference whose own relMSE is above this part of what is measured against it says little.

@@ -13,7 +13,7 @@ use crate::app::bench::BenchError;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::tracer::{Monitor, Tracer};
 use crate::components::{Film, Integrator, Render, Sampler};
-use crate::image::{Output, Picture, Source, file};
+use crate::image::{Output, Picture, PictureFile, file};
 use crate::oracle::{self, Oracle};
 use crate::scene::{self, SceneDescription};
 use crate::stats::metrics::DARK;
@@ -50,7 +50,7 @@ impl Shelf {
     pub fn find(&self, film: &Film, spp: u32) -> Option<Reference> {
         let record: ReferenceRecord = read_json(&self.record).ok()?;
         let size = film.window().size();
-        let picture = Source::open(&self.picture).ok()?;
+        let picture = PictureFile::open(&self.picture).ok()?;
         let fits = picture.size == size && record.key == self.key && record.spp >= spp;
         Some(Reference { rgb: picture.read_all().ok().filter(|_| fits)?, record })
     }

@@ -58,13 +58,13 @@ impl Panel {
         self.readings.forget();
     }
 
-    /// When it wants to look at the engine again; none while it shows all there is. `pixel` is that under the pointer,
+    /// When it is to read the engine again; none while it shows all there is. `pixel` is that under the pointer,
     /// `began` when the film last started anew.
     pub fn next_reading(&self, engine: &mut Engine, pixel: Option<UVec2>, began: Instant) -> Option<Instant> {
         if self.open { self.readings.next(engine, pixel, began) } else { None }
     }
 
-    /// Looks at the engine, as far as it is time to. Says whether there is something new to show.
+    /// Reads the engine, as far as it is time to. Says whether there is something new to show.
     pub fn read(
         &mut self,
         engine: &mut Engine,

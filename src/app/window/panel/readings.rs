@@ -9,22 +9,22 @@ use crate::engine::Inspected;
 use crate::engine::{Engine, EngineError, Report};
 use crate::gpu::PassTiming;
 
-/// Time between two looks at the film, at least.
+/// Time between two readings of the film, at least.
 const FILM: Duration = Duration::from_secs(1);
 
-/// Looking at the film takes at most this part of the time.
+/// Reading the film takes at most this part of the time.
 const SHARE: u32 = 10;
 
-/// Time between two looks at a pixel.
+/// Time between two readings of a pixel.
 const PIXEL: Duration = Duration::from_millis(300);
 
 /// Points of the curve; beyond that, every second one is dropped.
 const MOST_POINTS: usize = 512;
 
-/// What a look at the film was at: when it had begun, and the samples the engine had traced.
+/// What state a film was read in: when it had begun, and the samples the engine had traced.
 type Stamp = (Instant, u64);
 
-/// The last looks at the engine.
+/// The last readings of the engine.
 pub struct Readings {
     /// All features that shaders know.
     pub features: Vec<String>,
@@ -32,7 +32,7 @@ pub struct Readings {
     pub needed: Vec<String>,
     pub spp: u32,
     pub target: u32,
-    /// Of all pixels; 0 before the second look.
+    /// Of all pixels; 0 before the second reading.
     pub samples_per_second: f64,
     pub rays_per_second: f64,
     pub report: Option<Report>,
@@ -40,9 +40,9 @@ pub struct Readings {
     pub error: Option<f64>,
     /// log10 of the seconds since the film began, and of its estimated relMSE.
     pub curve: Vec<[f64; 2]>,
-    /// Time by pass between the last two looks that found any.
+    /// Time by pass between the last two readings that found any.
     pub passes: Vec<PassTiming>,
-    /// Dispatches by pass between the last two looks that found any.
+    /// Dispatches by pass between the last two readings that found any.
     pub dispatched: BTreeMap<&'static str, u64>,
     pub pixel: Option<Inspected>,
     film_read: Option<(Instant, Stamp)>,
@@ -51,7 +51,7 @@ pub struct Readings {
 }
 
 impl Readings {
-    /// Nothing was looked at yet.
+    /// Nothing was read yet.
     pub fn new(features: Vec<String>) -> Self {
         Self {
             features,
@@ -72,12 +72,12 @@ impl Readings {
         }
     }
 
-    /// Looks at all of it anew, as soon as may be.
+    /// Reads all of it anew, as soon as may be.
     pub fn forget(&mut self) {
         *self = Self::new(std::mem::take(&mut self.features));
     }
 
-    /// When the film is to be looked at, if it is another than the last time.
+    /// When the film is to be read, if it is another than the last time.
     fn film_due(&self, stamp: Stamp, now: Instant) -> Option<Instant> {
         match self.film_read {
             None => Some(now),
@@ -95,13 +95,13 @@ impl Readings {
         }
     }
 
-    /// When the next look is due; none if nothing changed since the last.
+    /// When the next reading is due; none if nothing changed since the last.
     pub fn next(&self, engine: &mut Engine, pixel: Option<UVec2>, began: Instant) -> Option<Instant> {
         let (stamp, now) = (stamp(engine, began), Instant::now());
         [self.film_due(stamp, now), self.pixel_due(pixel, stamp, now)].into_iter().flatten().min()
     }
 
-    /// Looks at what is due. Says whether anything was.
+    /// Reads what is due. Says whether anything was.
     pub fn read(
         &mut self,
         engine: &mut Engine,

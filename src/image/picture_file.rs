@@ -18,7 +18,7 @@ const START: u64 = 4096;
 
 /// A picture whose pixels have not been read: those that the file has, which need not be all that is to be shown.
 #[derive(Debug)]
-pub struct Source {
+pub struct PictureFile {
     pub path: PathBuf,
     /// Pixels that the file has.
     pub size: UVec2,
@@ -50,7 +50,7 @@ pub struct Shown {
     pub warnings: Vec<String>,
 }
 
-impl Source {
+impl PictureFile {
     /// Reads the header. What the file is, its first bytes say, not its name.
     pub fn open(path: &Path) -> Result<Self, ReadError> {
         let source = named(path, Self::header(path))?;
@@ -120,7 +120,7 @@ impl Source {
 impl Shown {
     /// Reads a picture with all that belongs to it.
     pub fn read(path: &Path) -> Result<Self, ReadError> {
-        let mut source = named(path, Source::header(path))?;
+        let mut source = named(path, PictureFile::header(path))?;
         let (size, place) = source.shown();
         named(path, check_size(size))?;
         let (place, end) = (place.as_i64vec2(), place.as_i64vec2() + source.size.as_i64vec2());
@@ -138,7 +138,7 @@ impl Shown {
 }
 
 /// What is told of a file that has other pixels than are shown.
-fn beyond(source: &Source, size: UVec2, place: I64Vec2, apart: bool) -> Option<String> {
+fn beyond(source: &PictureFile, size: UVec2, place: I64Vec2, apart: bool) -> Option<String> {
     let (width, height) = (source.size.x, source.size.y);
     let has =
         format!("it has {width}x{height} pixels from {},{} of a picture of {}x{}", place.x, place.y, size.x, size.y);
