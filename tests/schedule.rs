@@ -74,8 +74,10 @@ fn a_moved_camera_enters_no_system_of_meshes_materials_lights_or_sky_and_sends_p
     assert!(uploads["params"] < 4096, "{uploads:?}");
 }
 
+type Edit = fn(&mut World);
+
 /// An edit by its name, what it enters beside tracing, and the buffers that it writes beside parameters.
-type Row = (&'static str, fn(&mut World), &'static [&'static str], &'static [&'static str]);
+type Row = (&'static str, Edit, &'static [&'static str], &'static [&'static str]);
 
 const RESTARTS: &[Row] = &[
     ("film size", |w| change::<Film>(w, |f| f.size.x += 1), &["extract_shot"], &[]),
@@ -92,13 +94,12 @@ const RESTARTS: &[Row] = &[
         &["extract_materials", "extract_lights", "extract_shot", "materials", "lights"],
         &["materials", "lights"],
     ),
-    (
-        "environment",
-        |w| drop(w.spawn((Name::new("sky"), Environment::Constant(Vec3::splat(0.5))))),
-        &["extract_sky", "extract_shot"],
-        &[],
-    ),
+    ("environment", add_sky, &["extract_sky", "extract_shot"], &[]),
 ];
+
+fn add_sky(world: &mut World) {
+    world.spawn((Name::new("sky"), Environment::Constant(Vec3::splat(0.5))));
+}
 
 fn set_emission(world: &mut World, factor: f32) {
     for mut material in world.query::<&mut Material>().iter_mut(world) {
@@ -146,7 +147,7 @@ fn a_moved_mesh_sends_its_own_triangles() {
 #[test]
 fn what_is_written_with_what_it_was_makes_nothing_anew() {
     let mut engine = open();
-    let touches: [(&str, fn(&mut World)); 5] = [
+    let touches: [(&str, Edit); 5] = [
         ("material", |w| change::<Material>(w, |_| ())),
         ("camera", |w| change::<Camera>(w, |_| ())),
         ("transform", |w| change::<Transform>(w, |_| ())),

@@ -91,7 +91,8 @@ impl<T: TableRow> GpuTable<T> {
 
     /// Has all rows sent again: the device may not have them.
     pub fn send_all(&mut self) {
-        self.stale = Vec::from([0..self.rows.len()]);
+        self.stale.clear();
+        self.stale.push(0..self.rows.len());
     }
 
     /// Whether there is something to send.

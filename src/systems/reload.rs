@@ -125,7 +125,7 @@ fn take_up_saves(world: &mut World) {
         reload.events.extend(linted);
         for news in reload.watch.news() {
             match news {
-                News::Ready(outcome) => take_up(world, &mut reload, outcome),
+                News::Ready(outcome) => take_up(world, &mut reload, *outcome),
                 News::Compiling { files, since, given_up, warnings } => {
                     reload.events.push(ReloadEvent::Compiling { files, since, given_up, warnings });
                 }

@@ -48,7 +48,7 @@ impl<T> Look<T> {
 
 /// What the worker sends.
 pub enum News {
-    Ready(Outcome),
+    Ready(Box<Outcome>),
     /// A compile takes long.
     Compiling {
         files: Vec<PathBuf>,

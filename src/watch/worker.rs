@@ -98,7 +98,7 @@ impl Worker {
     /// Takes what a compile has made. False if nobody takes it.
     fn end_compile(&mut self, serial: u64, result: Result<Code, Vec<Problem>>) -> bool {
         let ended = self.shaders.as_mut().and_then(|(_, compiles)| compiles.end(serial, result));
-        ended.is_none_or(|outcome| self.send(News::Ready(outcome)))
+        ended.is_none_or(|outcome| self.send(News::Ready(Box::new(outcome))))
     }
 
     fn warn(&mut self, serial: u64, warning: Problem) {
@@ -155,7 +155,7 @@ impl Worker {
         let (code, scene) = (code.changed(), scene.changed());
         let Some((_, compiles)) = &mut self.shaders else {
             return scene.is_none()
-                || self.send(News::Ready(Outcome { saved, code: None, scene, warnings: Vec::new() }));
+                || self.send(News::Ready(Box::new(Outcome { saved, code: None, scene, warnings: Vec::new() })));
         };
         let outcome = match (code, scene) {
             (Some((files, Ok(code))), scene) => {
@@ -171,7 +171,7 @@ impl Worker {
             }
             (None, None) => return true,
         };
-        self.send(News::Ready(outcome))
+        self.send(News::Ready(Box::new(outcome)))
     }
 
     /// Watches what is to be watched now.

@@ -18,6 +18,9 @@ use crate::systems::run::counted;
 type Mesh<'a> = (Entity, &'a Name, &'a Geometry, Option<&'a Transform>, Option<&'a UsesMaterial>, Option<&'a MeshSlot>);
 type Touched = (With<Geometry>, Or<(Changed<Geometry>, Changed<Transform>, Changed<UsesMaterial>, Changed<Name>)>);
 
+/// What is no mesh any more.
+type Stray = (With<MeshSlot>, Or<(Without<Geometry>, Without<Name>)>);
+
 pub fn add_systems(schedule: &mut Schedule) {
     let system = extract_meshes.pipe(counted("extract_meshes"));
     schedule.add_systems(system.run_if(meshes_changed).in_set(Step::Meshes));
@@ -44,7 +47,7 @@ fn meshes_changed(
 fn extract_meshes(
     meshes: Query<Mesh>,
     materials: Query<&MaterialSlot>,
-    stray: Query<Entity, (With<MeshSlot>, Or<(Without<Geometry>, Without<Name>)>)>,
+    stray: Query<Entity, Stray>,
     mut world: ResMut<SceneGeometry>,
     mut triangles: ResMut<GpuTable<Triangle>>,
     mut shading: ResMut<GpuTable<Shading>>,

@@ -98,8 +98,8 @@ fn extract_shot(
     mut extracted: Extracted,
 ) -> Result<(), EngineError> {
     let (film, render, mut progress) = films.iter_mut().next().ok_or(EngineError::NoFilm)?;
-    let (_, _, camera) = rendered_camera(&cameras).ok_or(EngineError::NoCamera)?;
-    let environment = match rendered_environment(&environments) {
+    let (_, _, camera) = rendered_camera(cameras).ok_or(EngineError::NoCamera)?;
+    let environment = match rendered_environment(environments) {
         Some(Environment::Constant(radiance)) => *radiance,
         Some(Environment::Map { .. }) | None => Vec3::ZERO,
     };

@@ -37,7 +37,7 @@ fn extract_sky(
     mut cells: ResMut<GpuTable<SkyCell>>,
     mut columns: ResMut<GpuTable<AliasColumn>>,
 ) {
-    let Some(Environment::Map { image, strength }) = rendered_environment(&environments) else {
+    let Some(Environment::Map { image, strength }) = rendered_environment(environments) else {
         if sky.source.is_some() {
             *sky = Sky::default();
             cells.set(Vec::new());
