@@ -1,7 +1,8 @@
 //! Alias tables: what they draw is what their weights say, exactly.
 
 use lucerna::cpu::alias::alias_pick;
-use lucerna::layout::alias::{AliasColumn, alias_table};
+use lucerna::layout::alias::AliasColumn;
+use lucerna::prepare::alias::alias_table;
 use lucerna::scene::generate::SplitMix;
 
 /// The probability of each index, as the table says: of its own column, and of those it is the alias of.

@@ -1,5 +1,8 @@
 //! Components to the records and parameters that the device reads: pure functions, which know components and layout alone.
 
+pub mod alias;
 pub mod camera;
+pub mod light;
 pub mod lighting;
 pub mod material;
+pub mod sky;
