@@ -158,6 +158,16 @@ fn what_a_scene_lacks_is_not_compiled() {
 }
 
 #[test]
+fn a_scene_with_two_films_says_so_and_recovers() {
+    let mut engine = open(&small_box("1"));
+    let second = engine.edit(|world| world.spawn((Film::default(), Render::default())).id());
+    assert!(matches!(engine.step(STEP), Err(EngineError::ManyFilms)));
+    engine.edit(|world| world.despawn(second));
+    let film = finish(&mut engine, STEP);
+    assert_eq!(film.pixels, sums(&mut open(&small_box("1")), STEP));
+}
+
+#[test]
 fn a_scene_without_a_camera_says_so_and_recovers() {
     let mut engine = open(&small_box("1"));
     let cameras: Vec<(Entity, Camera)> =

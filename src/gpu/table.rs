@@ -15,7 +15,7 @@ pub trait TableRow: Pod + Send + Sync + 'static {
 
 /// An array of rows, and which of them the device does not have yet.
 ///
-/// It counts as changed, for systems that ask, when contents change; sending them is no change.
+/// It counts as changed, for systems that poll, when contents are written; sending them is no change.
 #[derive(Resource)]
 pub struct GpuTable<T: TableRow> {
     rows: Vec<T>,

@@ -5,6 +5,7 @@ use bevy_ecs::prelude::*;
 use super::phase::Phase;
 use super::resources::{Batch, FilmProgress, Frame, Shot};
 use super::run::counted;
+use crate::components::Film;
 use crate::passes::film;
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -15,7 +16,7 @@ pub fn add_systems(schedule: &mut Schedule) {
 
 fn accumulate_batch(
     mut frame: ResMut<Frame>,
-    mut progress: Single<&mut FilmProgress>,
+    mut progress: Single<&mut FilmProgress, With<Film>>,
     batch: Res<Batch>,
     shot: Res<Shot>,
 ) {

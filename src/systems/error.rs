@@ -4,7 +4,7 @@ use bevy_ecs::prelude::*;
 
 use crate::gpu::GpuError;
 
-/// Why the engine cannot go on. It keeps the film it has; the next `step` tries again.
+/// Why a step failed. The engine goes on: the next step tries again, with a film that starts anew.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum EngineError {
     #[error(transparent)]
@@ -17,6 +17,10 @@ pub enum EngineError {
 
     #[error("the scene has no film")]
     NoFilm,
+
+    #[error("the scene has more than one film")]
+    #[diagnostic(help("an engine renders one film: despawn the others"))]
+    ManyFilms,
 
     #[error("the film's window is empty, or outside the film")]
     #[diagnostic(help("a crop is X0,X1,Y0,Y1 in pixels, with X0 < X1 and Y0 < Y1 within the size"))]

@@ -6,6 +6,7 @@ use bevy_ecs::prelude::*;
 use super::phase::Phase;
 use super::resources::{Exposure, FilmProgress, Frame, Live, SceneGeometry, Shot, Target, Viewed};
 use super::run::counted;
+use crate::components::Film;
 use crate::layout::view::{ViewMode, ViewParams};
 use crate::passes::{film, view};
 
@@ -19,13 +20,13 @@ pub fn add_systems(schedule: &mut Schedule) {
     );
 }
 
-fn is_view_due(progress: Single<&FilmProgress>, viewed: Res<Viewed>) -> bool {
+fn is_view_due(progress: Single<&FilmProgress, With<Film>>, viewed: Res<Viewed>) -> bool {
     viewed.0 != ViewMode::Beauty && progress.shown != Some(viewed.0)
 }
 
 fn record_view(
     mut frame: ResMut<Frame>,
-    mut progress: Single<&mut FilmProgress>,
+    mut progress: Single<&mut FilmProgress, With<Film>>,
     geometry: Res<SceneGeometry>,
     shot: Res<Shot>,
     viewed: Res<Viewed>,
@@ -34,7 +35,12 @@ fn record_view(
     progress.shown = Some(viewed.0);
 }
 
-fn is_picture_due(progress: Single<&FilmProgress>, viewed: Res<Viewed>, live: Res<Live>, target: Res<Target>) -> bool {
+fn is_picture_due(
+    progress: Single<&FilmProgress, With<Film>>,
+    viewed: Res<Viewed>,
+    live: Res<Live>,
+    target: Res<Target>,
+) -> bool {
     viewed.0 == ViewMode::Beauty
         && progress.shown != Some(ViewMode::Beauty)
         && progress.begun
@@ -43,7 +49,7 @@ fn is_picture_due(progress: Single<&FilmProgress>, viewed: Res<Viewed>, live: Re
 
 fn record_picture(
     mut frame: ResMut<Frame>,
-    mut progress: Single<&mut FilmProgress>,
+    mut progress: Single<&mut FilmProgress, With<Film>>,
     shot: Res<Shot>,
     exposure: Res<Exposure>,
 ) {

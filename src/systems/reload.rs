@@ -8,9 +8,9 @@ use bevy_ecs::system::SystemParam;
 
 use super::error::{EngineError, no_fault};
 use super::phase::Phase;
-use super::resources::{Batch, Device, Exposure, FilmProgress, Governor, MaterialSlot, Tree};
+use super::resources::{Batch, Device, Exposure, FilmProgress, Governor, MaterialSlot, Target, Tree};
 use super::restart::start_again;
-use crate::components::Name;
+use crate::components::{Film, Name};
 use crate::gpu::{Code, Compiler, GpuError, GpuTable};
 use crate::layout::trace::MaterialRecord;
 use crate::passes::Makes;
@@ -195,6 +195,13 @@ fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
         }
     }
     if reload.trial.code.is_some() && !reload.trial.passed {
+        // What is gone back to is still the last that worked, and the film has samples of both since.
+        let (trial, code) = (&mut reload.trial.restarts, reload.code_restarts);
+        *trial = Restarts {
+            tree: trial.tree || code.tree,
+            film: trial.film || code.film,
+            picture: trial.picture || code.picture,
+        };
         return;
     }
     reload.trial.code = Some(old);
@@ -224,7 +231,7 @@ fn put_scene(world: &mut World, reload: &mut Reload, loaded: Loaded) -> Vec<Prob
 #[derive(SystemParam)]
 struct Made<'w, 's> {
     tree: ResMut<'w, Tree>,
-    progress: Single<'w, 's, &'static mut FilmProgress>,
+    progress: Single<'w, 's, &'static mut FilmProgress, With<Film>>,
     exposure: Res<'w, Exposure>,
     governor: ResMut<'w, Governor>,
 }
@@ -268,7 +275,7 @@ fn tell_what_restarts(mut reload: ResMut<Reload>, mut made: Made) {
 fn end_trial(
     mut reload: ResMut<Reload>,
     batch: Res<Batch>,
-    progress: Single<&FilmProgress>,
+    progress: Single<&FilmProgress, With<Film>>,
     device: Res<Device>,
     records: Res<GpuTable<MaterialRecord>>,
     materials: Query<(&Name, &MaterialSlot)>,
@@ -315,7 +322,14 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
         reload.description = Some(scene);
         reload.problems.scene = vec![problem.clone()];
     }
-    match reload.trial.film.take().filter(|_| endless) {
+    // A batch is counted when it is recorded: where the tree failed, it was not traced.
+    let untraced = !world.resource::<Tree>().built && !world.resource::<Batch>().is_empty();
+    if had_code {
+        world.resource_mut::<Tree>().built &= !reload.trial.restarts.tree;
+    }
+    let target = world.resource::<Target>().0;
+    let is_wanted = |film: &FilmProgress| film.samples + u32::from(film.rows > 0) <= target;
+    match reload.trial.film.take().filter(|film| endless && is_wanted(film)) {
         Some(film) => {
             let device = &mut world.resource_mut::<Device>().0;
             let restored = ASIDE.iter().all(|(from, to)| device.copy(to, from).is_ok());
@@ -324,8 +338,10 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
         }
         // Code of the tree or of the picture: the film is what it was.
         None if endless && had_code && !reload.trial.restarts.film => {
-            world.resource_mut::<Tree>().built &= !reload.trial.restarts.tree;
-            set_progress(world, |progress| progress.shown = None);
+            set_progress(world, |progress| match untraced {
+                true => progress.restart(),
+                false => progress.shown = None,
+            });
         }
         None => start_again(world),
     }

@@ -6,6 +6,7 @@ use super::error::EngineError;
 use super::phase::Phase;
 use super::resources::{Batch, Budget, Device, FilmProgress, Frame, Governor, Shot, Target};
 use super::run::counted;
+use crate::components::Film;
 use crate::layout::trace::TraceParams;
 use crate::passes::{film, trace};
 
@@ -19,7 +20,7 @@ pub fn add_systems(schedule: &mut Schedule) {
     let batch_planned = |batch: Res<Batch>| !batch.is_empty();
     schedule.add_systems(
         (
-            forget_batch,
+            forget_batch.run_if(batch_planned),
             plan_batch.pipe(counted("plan_batch")).run_if(samples_wanted),
             record_batch.pipe(counted("record_batch")).run_if(batch_planned),
         )
@@ -47,14 +48,14 @@ fn forget_batch(mut batch: ResMut<Batch>) {
 }
 
 /// Run condition: the film is not finished.
-fn samples_wanted(progress: Single<&FilmProgress>, target: Res<Target>) -> bool {
+fn samples_wanted(progress: Single<&FilmProgress, With<Film>>, target: Res<Target>) -> bool {
     progress.samples < target.0
 }
 
 /// As many samples as the governor gives: whole layers, or some rows of one.
 fn plan_batch(
     mut batch: ResMut<Batch>,
-    progress: Single<&FilmProgress>,
+    progress: Single<&FilmProgress, With<Film>>,
     shot: Res<Shot>,
     target: Res<Target>,
     governor: Res<Governor>,
@@ -79,7 +80,7 @@ fn plan_batch(
 fn record_batch(
     mut device: ResMut<Device>,
     mut frame: ResMut<Frame>,
-    progress: Single<&FilmProgress>,
+    progress: Single<&FilmProgress, With<Film>>,
     batch: Res<Batch>,
     shot: Res<Shot>,
 ) -> Result<(), EngineError> {

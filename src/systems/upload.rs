@@ -6,6 +6,7 @@ use super::error::EngineError;
 use super::phase::Phase;
 use super::resources::{Device, FilmProgress, Shot, SkyCell};
 use super::run::counted;
+use crate::components::Film;
 use crate::gpu::{GpuTable, TableRow};
 use crate::layout::alias::AliasColumn;
 use crate::layout::light::LightRecord;
@@ -70,14 +71,14 @@ fn upload_table<T: TableRow>(mut device: ResMut<Device>, mut table: ResMut<GpuTa
     Ok(table.bypass_change_detection().upload(&mut device.0)?)
 }
 
-fn film_has_not_begun(progress: Single<&FilmProgress>) -> bool {
+fn film_has_not_begun(progress: Single<&FilmProgress, With<Film>>) -> bool {
     !progress.begun
 }
 
 /// Makes room for a film that starts anew, and sets the features its pipelines are compiled for.
 fn begin_film(
     mut device: ResMut<Device>,
-    mut progress: Single<&mut FilmProgress>,
+    mut progress: Single<&mut FilmProgress, With<Film>>,
     shot: Res<Shot>,
 ) -> Result<(), EngineError> {
     let size = shot.size();

@@ -108,6 +108,31 @@ fn an_endless_loop_of_the_display_leaves_the_film() {
 }
 
 /// A pipeline outlives edits of comments, and the places of its loops go with the text.
+/// The batch that was recorded beside the tree was never traced: its samples are not counted.
+#[test]
+fn an_endless_loop_of_the_tree_costs_no_sample() {
+    let mut bench = Bench::new();
+    let more = |bench: &mut Bench, spp: u32| {
+        bench.engine.edit(|world| {
+            world.query::<&mut lucerna::components::Render>().iter_mut(world).for_each(|mut render| render.spp = spp);
+        });
+    };
+    more(&mut bench, u32::MAX);
+    bench.step();
+    let nodes = "shaders/passes/tree/nodes.wgsl";
+    let from = "    let origin = Origin(node,";
+    let endless = "var rounds = 0u; while (params.count > 0u) { rounds += 1u; }";
+    bench.replace(nodes, from, &format!("    {endless}\n{from}"));
+    let (file, .., message) = bench.failed();
+    assert!(file == nodes && message.contains("does not end"), "{file}: {message}");
+    let spp = bench.engine.samples().0 + 8;
+    more(&mut bench, spp);
+    let mut fresh = Bench::new();
+    more(&mut fresh, spp);
+    fresh.finish();
+    assert!(bench.film().pixels == fresh.film().pixels);
+}
+
 #[test]
 fn a_loop_is_told_where_it_is_now() {
     use lucerna::components::{Film, Render};

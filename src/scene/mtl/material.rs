@@ -17,7 +17,8 @@ use glam::Vec3;
 use crate::components::{Lobe, Material, Passage};
 
 /// A material as files have it and people edit it: the numbers of the table of keys. It is kept beside the [`Material`] that it comes
-/// to, so that a number can be changed without losing what the others said.
+/// to, so that a number can be changed without losing what the others said. What is rendered is the [`Material`]: where
+/// the two disagree, this one is an older memory.
 #[derive(Component, Clone, Debug, PartialEq)]
 pub struct MtlMaterial {
     pub kd: Vec3,

@@ -3,6 +3,7 @@
 use bevy_ecs::prelude::*;
 
 use super::step::Step;
+use crate::components::Film;
 use crate::gpu::GpuTable;
 use crate::layout::light::LightRecord;
 use crate::layout::trace::{MaterialRecord, Shading};
@@ -40,17 +41,17 @@ fn light_changed(
 }
 
 /// Triangles changed: Morton codes to tree. Another tree has the same hits, but may have other steps to them.
-fn discard_tree(mut tree: ResMut<Tree>, mut progress: Single<&mut FilmProgress>) {
+fn discard_tree(mut tree: ResMut<Tree>, mut progress: Single<&mut FilmProgress, With<Film>>) {
     tree.built = false;
     progress.outdate_views();
 }
 
 /// Light changed: the film starts anew.
-fn restart_film(mut progress: Single<&mut FilmProgress>) {
+fn restart_film(mut progress: Single<&mut FilmProgress, With<Film>>) {
     progress.restart();
 }
 
 /// The picture is shown otherwise.
-fn outdate_picture(mut progress: Single<&mut FilmProgress>) {
-    progress.shown = None;
+fn outdate_picture(mut progress: Single<&mut FilmProgress, With<Film>>) {
+    progress.outdate_beauty();
 }

@@ -3,7 +3,7 @@
 use bevy_ecs::prelude::*;
 
 use super::step::Step;
-use crate::components::Render;
+use crate::components::{Film, Render};
 use crate::systems::resources::Policy;
 use crate::systems::run::counted;
 
@@ -12,7 +12,7 @@ pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(system.run_if(any_match_filter::<Changed<Render>>).in_set(Step::Settings));
 }
 
-fn extract_policy(renders: Query<&Render>, mut policy: ResMut<Policy>) {
+fn extract_policy(renders: Query<&Render, With<Film>>, mut policy: ResMut<Policy>) {
     let render = renders.iter().next().copied().unwrap_or_default();
     policy.set_if_neq(Policy { energy: render.energy, integrator: render.integrator });
 }

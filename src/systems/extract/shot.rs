@@ -1,6 +1,7 @@
 //! Camera, film, settings and environment to the parameters of the trace kernel.
 
 use bevy_ecs::prelude::*;
+use bevy_ecs::query::QuerySingleError;
 use glam::Vec3;
 
 use super::step::Step;
@@ -97,7 +98,10 @@ fn extract_shot(
     packed: Packed,
     mut extracted: Extracted,
 ) -> Result<(), EngineError> {
-    let (film, render, mut progress) = films.iter_mut().next().ok_or(EngineError::NoFilm)?;
+    let (film, render, mut progress) = films.single_mut().map_err(|error| match error {
+        QuerySingleError::NoEntities(_) => EngineError::NoFilm,
+        QuerySingleError::MultipleEntities(_) => EngineError::ManyFilms,
+    })?;
     let (_, _, camera) = rendered_camera(cameras).ok_or(EngineError::NoCamera)?;
     let environment = match rendered_environment(environments) {
         Some(Environment::Constant(radiance)) => *radiance,
