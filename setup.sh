@@ -9,7 +9,7 @@
 # Where a driver is there already, and on macOS (Metal) and Windows (DirectX 12), nothing is installed. On Debian and
 # Ubuntu without one, the Vulkan loader and Mesa's drivers are, which draw on the CPU if need be; and g++ without a compiler.
 # On a Debian whose own Mesa is older than 25, and where nothing but the CPU draws, root gets Mesa from the release's
-# backports: it draws three times faster there. Running it again is quick and changes nothing. Exits with 0 if all is there,
+# backports: it draws half as fast again there. Running it again is quick and changes nothing. Exits with 0 if all is there,
 # else with 1, and says what to do.
 set -eu
 
@@ -85,7 +85,7 @@ install_with_apt() {
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
 }
 
-# Mesa of this version draws on the CPU three times faster than those before.
+# Mesa of this version draws on the CPU half as fast again as those before.
 fast_mesa=25
 backports_file=/etc/apt/sources.list.d/lucerna-backports.sources
 
