@@ -187,6 +187,7 @@ fn a_scene_far_from_zero_is_the_scene_at_zero() {
             name: "far".into(),
             meshes: [("a".into(), entry(-0.5, "grey")), ("b".into(), entry(4.0, "lamp"))].into(),
             materials: [("grey".into(), MtlMaterial::default()), ("lamp".into(), lamp.into())].into(),
+            textures: Default::default(),
             cameras: [(
                 "front".into(),
                 Camera { position: shift + DVec3::Z * 2.0, look_at: shift, up: DVec3::Y, fov_y: 50.0 },
@@ -216,6 +217,7 @@ fn two_quads() -> SceneDescription {
         name: "quads".into(),
         meshes: [("a".into(), entry(-1.0, 1)), ("b".into(), entry(1.0, 20))].into(),
         materials: [("lamp".into(), lamp.into())].into(),
+        textures: Default::default(),
         cameras: [(
             "front".into(),
             Camera { position: DVec3::Z * 4.0, look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 50.0 },

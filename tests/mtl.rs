@@ -86,8 +86,8 @@ fn tr_counts_only_without_d() {
 fn maps_are_kept_with_spaces_backslashes_and_without_options() {
     let (material, warnings) =
         read("newmtl a\nKd 1 1 1\nmap_Kd -s 2 2 -clamp on  there is one.png\nbump -bm 0.5 x\\y.png\n");
-    assert!(material.maps.kd.unwrap().ends_with("there is one.png"));
-    assert!(material.maps.bump.unwrap().ends_with("x/y.png"));
+    assert!(material.maps.kd.unwrap().file.ends_with("there is one.png"));
+    assert!(material.maps.bump.unwrap().file.ends_with("x/y.png"));
     let texts: Vec<&str> = warnings.iter().map(|found| found.message.as_str()).collect();
     let options = texts.iter().filter(|text| text.contains("is not honoured yet")).count();
     assert_eq!(options, 3, "{texts:?}");

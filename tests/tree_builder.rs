@@ -37,6 +37,7 @@ fn describe(triangles: &[Triangle]) -> SceneDescription {
         name: "built".into(),
         meshes: [("a".into(), mesh(first)), ("b".into(), mesh(second))].into(),
         materials: [("lamp".into(), lamp.into())].into(),
+        textures: Default::default(),
         cameras: [("front".into(), camera)].into(),
         active: "front".into(),
         film: Film { size: UVec2::splat(8), ..Default::default() },

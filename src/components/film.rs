@@ -54,6 +54,10 @@ pub struct Render {
     /// End paths of little throughput early, unbiased.
     pub roulette: bool,
     pub energy: Energy,
+    pub texture_filter: TextureFilter,
+    pub diffuse_map: DiffuseMap,
+    /// Texels a side of a texture, at most: larger ones are halved until they fit. 1 to [`Render::MAX_TEXTURE`].
+    pub texture_size: u32,
     /// Seed of every random number.
     pub seed: u32,
     /// Samples a pixel after which the film is finished, at least 1.
@@ -63,6 +67,9 @@ pub struct Render {
 impl Render {
     /// Segments of the longest path, at most.
     pub const MAX_DEPTH: u32 = 1024;
+
+    /// Texels a side of the largest texture.
+    pub const MAX_TEXTURE: u32 = 32_768;
 }
 
 impl Default for Render {
@@ -73,6 +80,9 @@ impl Default for Render {
             max_depth: 16,
             roulette: true,
             energy: Energy::Preserve,
+            texture_filter: TextureFilter::default(),
+            diffuse_map: DiffuseMap::default(),
+            texture_size: Self::MAX_TEXTURE,
             seed: 0,
             spp: 64,
         }
@@ -107,4 +117,24 @@ pub enum Energy {
     Preserve,
     /// Kd and Ks as the file has them.
     AsWritten,
+}
+
+/// How much of a texture a lookup takes in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TextureFilter {
+    /// What the path's cone covers of it, through all bounces.
+    #[default]
+    Footprint,
+    /// A point: what the other is judged by.
+    Exact,
+}
+
+/// What a map of the diffuse reflectance does with the material's own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DiffuseMap {
+    /// It multiplies it.
+    #[default]
+    Multiply,
+    /// It takes its place.
+    Replace,
 }

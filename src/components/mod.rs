@@ -3,7 +3,8 @@
 //! | entity | components |
 //! |---|---|
 //! | mesh | `Name`, [`Geometry`], [`Transform`], [`UsesMaterial`] |
-//! | material | `Name`, [`Material`] |
+//! | material | `Name`, [`Material`], [`Maps`] |
+//! | texture | `Name`, [`Texture`] |
 //! | camera | `Name`, [`Camera`]; one of them is [`Active`] |
 //! | film | `Name`, [`Film`], [`Render`]: one entity |
 //! | environment | `Name`, [`Environment`]: at most one entity |
@@ -17,14 +18,16 @@ mod film;
 mod material;
 mod mesh;
 mod rendered;
+mod texture;
 
 pub use bevy_ecs::name::Name;
 pub use camera::{Active, Camera};
 pub use environment::{Environment, EnvironmentMap};
-pub use film::{Crop, Energy, Film, Integrator, Render, Sampler};
+pub use film::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Sampler, TextureFilter};
 pub use material::{Lobe, Material, Passage};
 pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};
 pub use rendered::{CameraItem, EnvironmentItem, rendered_camera, rendered_environment};
+pub use texture::{Channel, Maps, Reading, Texels, Texture, TextureImage, Wrap};
 
 use bevy_ecs::prelude::World;
 
@@ -35,6 +38,8 @@ pub fn register(world: &mut World) {
     world.register_component::<Transform>();
     world.register_component::<UsesMaterial>();
     world.register_component::<Material>();
+    world.register_component::<Maps>();
+    world.register_component::<Texture>();
     world.register_component::<Camera>();
     world.register_component::<Active>();
     world.register_component::<Film>();

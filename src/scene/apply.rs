@@ -8,7 +8,9 @@ use bevy_ecs::prelude::*;
 
 use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
-use crate::components::{self, Active, Camera, Environment, Film, Geometry, Material, Name, UsesMaterial};
+use crate::components::{
+    self, Active, Camera, Environment, Film, Geometry, Lobe, Material, Name, Texture, UsesMaterial,
+};
 
 /// Makes the world hold exactly the scene that `description` describes, entity by entity, matched by `Name`.
 ///
@@ -22,9 +24,13 @@ pub fn apply(world: &mut World, description: &SceneDescription) {
 pub fn apply_changes(world: &mut World, earlier: Option<&SceneDescription>, description: &SceneDescription) {
     components::register(world);
     world.register_component::<MtlMaterial>();
+    let textures = match_by_name::<Texture>(world, description.textures.keys());
+    for (name, texture) in &description.textures {
+        apply_texture(world, textures[name], texture);
+    }
     let materials = match_by_name::<Material>(world, description.materials.keys());
     for (name, material) in &description.materials {
-        apply_material(world, materials[name], earlier.and_then(|e| e.materials.get(name)), material);
+        apply_material(world, materials[name], earlier.and_then(|e| e.materials.get(name)), material, &textures);
     }
     let meshes = match_by_name::<Geometry>(world, description.meshes.keys());
     for (name, mesh) in &description.meshes {
@@ -81,11 +87,36 @@ fn match_by_name<'n, Kind: Component>(
     found
 }
 
-/// Writes a material and what it comes to, unless the description says what it said earlier.
-fn apply_material(world: &mut World, entity: Entity, earlier: Option<&MtlMaterial>, numbers: &MtlMaterial) {
+/// Writes what differs of a texture. An equal picture keeps the shared data that is there, whenever it was read.
+fn apply_texture(world: &mut World, entity: Entity, texture: &Texture) {
+    let kept = match world.get::<Texture>(entity) {
+        Some(held) if Arc::ptr_eq(&held.image, &texture.image) || held.image == texture.image => held.image.clone(),
+        _ => texture.image.clone(),
+    };
+    let same = |held: &Texture| Arc::ptr_eq(&held.image, &kept) && held.is_read_as(texture);
+    if !world.get::<Texture>(entity).is_some_and(same) {
+        world.entity_mut(entity).insert(Texture { image: kept, ..texture.clone() });
+    }
+}
+
+/// Writes a material and what it comes to, unless the description says what it said earlier. Which textures there are may be
+/// otherwise all the same.
+fn apply_material(
+    world: &mut World,
+    entity: Entity,
+    earlier: Option<&MtlMaterial>,
+    numbers: &MtlMaterial,
+    textures: &BTreeMap<String, Entity>,
+) {
     if earlier != Some(numbers) || world.get::<Material>(entity).is_none() {
         set(world, entity, numbers);
         set(world, entity, &numbers.material());
+    }
+    // What is held may have been edited since: its maps are the ones that count.
+    let held = world.get::<MtlMaterial>(entity).map(|held| (held.maps.clone(), world.get::<Material>(entity)));
+    if let Some((maps, Some(material))) = held {
+        let maps = maps.maps(matches!(material.lobe, Lobe::Ggx(_)), textures);
+        set(world, entity, &maps);
     }
 }
 

@@ -8,8 +8,8 @@ use bevy_ecs::query::QueryState;
 use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
 use crate::components::{
-    CameraItem, EnvironmentItem, Film, Geometry, Material, Name, Render, Transform, UsesMaterial, rendered_camera,
-    rendered_environment,
+    CameraItem, EnvironmentItem, Film, Geometry, Material, Name, Render, Texture, Transform, UsesMaterial,
+    rendered_camera, rendered_environment,
 };
 
 type Surface = (Entity, &'static Name, &'static Material, Option<&'static MtlMaterial>);
@@ -41,6 +41,7 @@ pub fn describe(world: &World, name: &str) -> SceneDescription {
         name: name.to_owned(),
         meshes,
         materials,
+        textures: query::<(&Name, &Texture)>(world).iter(world).map(|(name, t)| (key(name), t.clone())).collect(),
         active: active.unwrap_or_default(),
         cameras: cameras.iter(world).map(|(_, name, camera, _)| (key(name), *camera)).collect(),
         film,

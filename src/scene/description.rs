@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::mtl::MtlMaterial;
-use crate::components::{Camera, Environment, Film, MeshData, Render, Transform};
+use crate::components::{Camera, Environment, Film, MeshData, Render, Texture, Transform};
 
 /// A whole scene as plain data, every name a stable key: equal files give equal descriptions.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +15,8 @@ pub struct SceneDescription {
     pub meshes: BTreeMap<String, MeshEntry>,
     /// By `model:material`.
     pub materials: BTreeMap<String, MtlMaterial>,
+    /// By the names that the materials' maps come to ([`textures::name`](super::textures::name)): those that could be read.
+    pub textures: BTreeMap<String, Texture>,
     /// By the name in the scene file; never empty.
     pub cameras: BTreeMap<String, Camera>,
     /// The camera that is rendered, a key of `cameras`.

@@ -86,6 +86,7 @@ impl Loader {
             name: stem(scene),
             meshes,
             materials,
+            textures: BTreeMap::new(),
             cameras,
             active,
             film: file.settings.film,

@@ -27,6 +27,7 @@ pub mod settings;
 mod sky;
 mod suggest;
 mod text;
+mod textures;
 mod triangulate;
 mod unseen;
 
@@ -38,6 +39,6 @@ pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use find::{find, names};
 pub use keys::{Colour, KEYS, Key, Range, Value};
 pub use load::{Loaded, attempt, load};
-pub use mtl::{Appearance, MtlMaterial, TextureMaps};
+pub use mtl::{Appearance, MtlMaterial, TextureMap, TextureMaps};
 pub use triangulate::triangulate;
 pub use unseen::unseen_by;

@@ -5,7 +5,7 @@
 
 use glam::UVec2;
 
-use crate::components::{Crop, Energy, Film, Integrator, Render, Sampler};
+use crate::components::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Sampler, TextureFilter};
 
 /// Everything that the table is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -157,6 +157,31 @@ pub static SETTINGS: &[Setting] = &[
         panel: Some(Panel { line: 6, label: "energy" }),
     },
     Setting {
+        field: "texture_filter",
+        group: Group::Render,
+        value: Value::Choice(|s| &mut s.render.texture_filter),
+        flag: Some(Flag { name: "texture-filter", value: "FILTER", help: "How much of a texture a lookup takes in" }),
+        panel: Some(Panel { line: 8, label: "texture filter" }),
+    },
+    Setting {
+        field: "texture",
+        group: Group::Render,
+        value: Value::Choice(|s| &mut s.render.diffuse_map),
+        flag: None,
+        panel: Some(Panel { line: 9, label: "map_Kd" }),
+    },
+    Setting {
+        field: "texture_size",
+        group: Group::Render,
+        value: Value::Whole { least: 1, most: Render::MAX_TEXTURE, at: |s| &mut s.render.texture_size },
+        flag: Some(Flag {
+            name: "texture-size",
+            value: "N",
+            help: "Texels a side of a texture: larger ones are halved until they fit",
+        }),
+        panel: None,
+    },
+    Setting {
         field: "exposure",
         group: Group::Film,
         value: Value::Stops { most: MOST_STOPS, slider: 8.0, at: |s| &mut s.film.exposure },
@@ -243,6 +268,25 @@ impl Named for Energy {
             name: "as written",
             help: "Kd and Ks as the file has them",
         },
+    ];
+}
+
+impl Named for TextureFilter {
+    const WORDS: &'static [Word<Self>] = &[
+        Word {
+            value: Self::Footprint,
+            variant: "Footprint",
+            name: "footprint",
+            help: "What the path's cone covers of it",
+        },
+        Word { value: Self::Exact, variant: "Exact", name: "exact", help: "A point: noisier, and without any blur" },
+    ];
+}
+
+impl Named for DiffuseMap {
+    const WORDS: &'static [Word<Self>] = &[
+        Word { value: Self::Multiply, variant: "Multiply", name: "multiply", help: "map_Kd multiplies Kd" },
+        Word { value: Self::Replace, variant: "Replace", name: "replace", help: "map_Kd takes the place of Kd" },
     ];
 }
 

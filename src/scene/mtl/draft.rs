@@ -6,7 +6,8 @@ use std::path::Path;
 use glam::Vec3;
 
 use super::maps;
-use super::material::{MtlMaterial, TextureMaps};
+use super::material::MtlMaterial;
+use super::texture_map::{TextureMap, TextureMaps};
 use super::values::{colour, reflectance, scalar, whole};
 use crate::scene::diagnostic::{Diagnostic, Tally};
 use crate::scene::keys::{Colour, Key, Value, suggest_statement};
@@ -147,7 +148,7 @@ impl Draft {
             "map_d" => &mut self.given.maps.d,
             _ => &mut self.given.maps.bump,
         };
-        *slot = Some(path);
+        *slot = Some(TextureMap::new(path));
         self.map.get_or_insert_with(|| line.warning(key, ""));
     }
 

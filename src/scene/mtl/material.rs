@@ -9,11 +9,10 @@
 //! | any other, or without that | `d` below 1 | see-through |
 //! | any other, or without that | `d` 1 | opaque |
 
-use std::path::PathBuf;
-
 use bevy_ecs::prelude::*;
 use glam::Vec3;
 
+use super::texture_map::TextureMaps;
 use crate::components::{Lobe, Material, Passage};
 
 /// A material as files have it and people edit it: the numbers of the table of keys. It is kept beside the [`Material`] that it comes
@@ -35,19 +34,7 @@ pub struct MtlMaterial {
     pub tf: Vec3,
     /// 0 to 10.
     pub illum: u32,
-    /// Image files of `map_*` statements.
     pub maps: TextureMaps,
-}
-
-/// Image files a material names, resolved against the folder of its MTL file.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct TextureMaps {
-    pub kd: Option<PathBuf>,
-    pub ks: Option<PathBuf>,
-    pub ns: Option<PathBuf>,
-    pub ke: Option<PathBuf>,
-    pub d: Option<PathBuf>,
-    pub bump: Option<PathBuf>,
 }
 
 /// `illum` of a plain surface, of a mirror, and of glass.

@@ -17,6 +17,7 @@ mod draft;
 mod exporter;
 mod maps;
 mod material;
+mod texture_map;
 mod values;
 
 use std::collections::HashMap;
@@ -29,7 +30,8 @@ use super::text;
 use draft::{Draft, Habits};
 
 pub use appearance::Appearance;
-pub use material::{MtlMaterial, TextureMaps};
+pub use material::MtlMaterial;
+pub use texture_map::{TextureMap, TextureMaps};
 
 /// Bytes that an MTL file may have.
 const LIMIT: u64 = 64 << 20;
