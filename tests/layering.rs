@@ -88,7 +88,7 @@ fn modules_know_only_what_is_below_them() {
         ("scene", &["components", "files", "image"]),
         ("shader", &["files", "layout"]),
         ("passes", &["cpu", "layout"]),
-        ("prepare", &["components", "layout"]),
+        ("prepare", &["components", "image", "layout"]),
         ("stats", &[]),
         ("oracle", &["components"]),
         ("cpu", &["image", "layout", "stats"]),

@@ -12,6 +12,12 @@ fn srgb_encode(linear: f32) -> f32 {
     return 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
 }
 
+// Three channels, encoded to linear; all 0 to 1.
+fn srgb_decode(encoded: vec3<f32>) -> vec3<f32> {
+    let curve = pow((encoded + 0.055) / 1.055, vec3<f32>(2.4));
+    return select(curve, encoded / 12.92, encoded <= vec3<f32>(0.04045));
+}
+
 // Clamped to 0..1, encoded and rounded to 8 bits; r in the lowest byte, a = 255 in the highest.
 fn srgb8(linear: vec3<f32>) -> u32 {
     let c = clamp(linear, vec3<f32>(0.0), vec3<f32>(1.0));

@@ -23,6 +23,8 @@ struct Query {
     high: vec3<f32>,
     // A power of two by which ray and scene come to about 1, so that products neither underflow nor depend on the scale.
     unit: f32,
+    // What decides whether surfaces with holes are there.
+    chance: u32,
 }
 
 struct TriangleHit {
@@ -65,7 +67,7 @@ fn padded_box(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> PaddedBox {
 }
 
 // `extent` is the greatest coordinate of the scene's box. The direction is not zero.
-fn prepare_query(ray: Ray, extent: f32) -> Query {
+fn prepare_query(ray: Ray, extent: f32, chance: u32) -> Query {
     let axis = largest_axis(ray.direction);
     let d = permute(ray.direction, axis);
     let least = abs(d.z) * LEAST_PART;
@@ -86,6 +88,7 @@ fn prepare_query(ray: Ray, extent: f32) -> Query {
         -(fma(vec3(SLAB_GROWTH), reach, ray.origin) * inverse),
         -(fma(vec3(-SLAB_GROWTH), reach, ray.origin) * inverse),
         bitcast<f32>((254u - exponent) << 23u),
+        chance,
     );
 }
 

@@ -1,7 +1,6 @@
 // Light sources: what they send out, and points on them.
 
 import package::gen::{LightRecord, MATERIAL_ONE_SIDED, MaterialRecord};
-import package::lib::colour::{luminance};
 
 // Radiance emitted towards where the ray came from.
 fn emitted(material: MaterialRecord, back_face: bool) -> vec3<f32> {
@@ -9,15 +8,18 @@ fn emitted(material: MaterialRecord, back_face: bool) -> vec3<f32> {
     return select(material.emission, vec3<f32>(0.0), dark);
 }
 
-// Density by area with which the points of such a light are drawn; `density` is that of unit luminance and one side.
-fn light_area_pdf(emission: vec3<f32>, sides: u32, density: f32) -> f32 {
-    return luminance(emission) * f32(sides) * density;
+// Density by area with which the points of a light of such a luminance are drawn; `density` is that of unit luminance and one side.
+fn light_area_pdf(luminance: f32, sides: u32, density: f32) -> f32 {
+    return luminance * f32(sides) * density;
 }
 
-// A uniformly drawn point (Heitz 2019: A Low-Distortion Map Between Triangle and Square).
-fn light_point(light: LightRecord, u: vec2<f32>) -> vec3<f32> {
-    let half = 0.5 * min(u.x, u.y);
-    let b = u - half;
+// Weights of the second and third corner of a uniformly drawn point (Heitz 2019: A Low-Distortion Map Between Triangle and Square).
+fn light_weights(u: vec2<f32>) -> vec2<f32> {
+    return u - 0.5 * min(u.x, u.y);
+}
+
+// The point of a light with such weights.
+fn light_point(light: LightRecord, b: vec2<f32>) -> vec3<f32> {
     return light.a + b.x * (light.b - light.a) + b.y * (light.c - light.a);
 }
 

@@ -10,19 +10,24 @@ fn octahedral_decode(word: u32) -> vec3<f32> {
     return normalize(vec3<f32>(e + sign(e) * min(z, 0.0), z));
 }
 
-// The normal at weights b1 and b2 of the second and third corner, on the side of `geometric`; that one itself where a
-// corner has none or they cancel. Unit length.
-fn interpolate_normal(corners: Shading, b1: f32, b2: f32, geometric: vec3<f32>) -> vec3<f32> {
+// The normal at weights b1 and b2 of the second and third corner, on the side that the mesh says; `flat` where a corner has none or
+// they cancel. Unit length.
+fn interpolate_normal(corners: Shading, b1: f32, b2: f32, flat: vec3<f32>) -> vec3<f32> {
     if (corners.n0 == 0u || corners.n1 == 0u || corners.n2 == 0u) {
-        return geometric;
+        return flat;
     }
     let n = (1.0 - b1 - b2) * octahedral_decode(corners.n0)
         + b1 * octahedral_decode(corners.n1)
         + b2 * octahedral_decode(corners.n2);
     if (dot(n, n) < 1e-6) {
-        return geometric;
+        return flat;
     }
-    return normalize(select(n, -n, dot(n, geometric) < 0.0));
+    return normalize(n);
+}
+
+// A vector on the side of another.
+fn facing(n: vec3<f32>, side: vec3<f32>) -> vec3<f32> {
+    return select(n, -n, dot(n, side) < 0.0);
 }
 
 // A shading normal that its viewer is not behind of: turned towards `wo`, as little as it takes, where the facet is seen and the normal

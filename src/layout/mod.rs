@@ -13,6 +13,7 @@ pub mod lint;
 pub mod ray;
 pub mod sky;
 pub mod sort;
+pub mod texture;
 pub mod trace;
 pub mod tree;
 mod types;
@@ -42,6 +43,10 @@ pub static ALL: &[&StructLayout] = &[
     &trace::PathState::LAYOUT,
     &trace::TraceParams::LAYOUT,
     &trace::RadianceSample::LAYOUT,
+    &texture::TextureRecord::LAYOUT,
+    &texture::MaterialMaps::LAYOUT,
+    &texture::CornerUvs::LAYOUT,
+    &texture::Tangents::LAYOUT,
     &film::FilmHalf::LAYOUT,
     &film::FilmPixel::LAYOUT,
     &film::BadSample::LAYOUT,
@@ -64,8 +69,20 @@ pub static VECTORS: &[Vectors] = &[
     Vectors::of(&tree::Node::LAYOUT),
     Vectors::of(&light::LightRecord::LAYOUT),
     Vectors::of(&trace::MaterialRecord::LAYOUT),
+    Vectors::of(&texture::TextureRecord::LAYOUT),
+    Vectors::of(&texture::MaterialMaps::LAYOUT),
+    Vectors::of(&texture::CornerUvs::LAYOUT),
+    Vectors::of(&texture::Tangents::LAYOUT),
 ];
 
 /// Every constant that WGSL can import from `package::gen`, module by module.
-pub static CONSTS: &[&[GpuConst]] =
-    &[alias::CONSTS, tree::CONSTS, ray::CONSTS, trace::CONSTS, film::CONSTS, sort::CONSTS, view::CONSTS];
+pub static CONSTS: &[&[GpuConst]] = &[
+    alias::CONSTS,
+    tree::CONSTS,
+    ray::CONSTS,
+    trace::CONSTS,
+    texture::CONSTS,
+    film::CONSTS,
+    sort::CONSTS,
+    view::CONSTS,
+];

@@ -124,8 +124,9 @@ gpu_struct! {
         /// Pixels of the sky.
         pub sky_width: u32,
         pub sky_height: u32,
-        pub pad0: u32,
-        pub pad1: u32,
+        /// By how much surfaces spread the cones of paths: [`CONE_PART`](super::texture::CONE_PART), or 0 where lookups are of points.
+        pub cone_part: f32,
+        pub pad: u32,
     }
 
     /// One sample of one pixel, as the trace kernel leaves it for the film.
@@ -171,15 +172,14 @@ gpu_consts! {
     pub const SLOT_DIRECTION: u32 = 8;
     /// Cosine to its viewer that a shading normal is bent to where it looks away, at a facet that itself has as much.
     pub const LEAST_FACING: f32 = 1.0 / 32.0;
+    /// Roughness below which a GGX lobe is taken as a mirror. Unit vectors in f32 err by some 1e-7, which is a thousandth of
+    /// such a lobe's width and moves its density by 0.2 %; no film resolves it either.
+    pub const SMOOTHEST_ALPHA: f32 = 1e-4;
     /// First bounce after which Russian roulette may end a path: paths of 4 segments are never cut.
     pub const ROULETTE_BOUNCE: u32 = 3;
 }
 
 const _: () = assert!(size_of::<PathState>() <= 96, "a path state is at most 96 bytes");
-
-/// Roughness below which a GGX lobe is taken as a mirror. Unit vectors in f32 err by some 1e-7, which is a thousandth of
-/// such a lobe's width and moves its density by 0.2 %; no film resolves it either.
-pub const SMOOTHEST_ALPHA: f32 = 1e-4;
 
 impl MaterialRecord {
     /// Whether the specular lobe is Phong's.
@@ -202,7 +202,7 @@ pub fn luminance(rgb: Vec3) -> f32 {
 }
 
 /// Octahedral snorm16 pair of a unit vector (Cigolle et al. 2014); never 0, which stands for no normal.
-fn octahedral(n: Vec3) -> u32 {
+pub fn octahedral(n: Vec3) -> u32 {
     let length = n.abs().element_sum();
     if length.is_nan() || length <= 0.0 {
         return 0;

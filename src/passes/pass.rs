@@ -43,22 +43,24 @@ pub struct Binding {
     pub ty: &'static str,
     /// The binding is in the module where any of these features is on; none: always.
     pub features: &'static [&'static str],
+    /// And where all of these are.
+    pub all: &'static [&'static str],
 }
 
 impl Binding {
     /// A storage buffer that is only read.
     pub const fn read(name: &'static str, ty: &'static str) -> Self {
-        Self { name, access: Access::Read, ty, features: &[] }
+        Self { name, access: Access::Read, ty, features: &[], all: &[] }
     }
 
     /// A storage buffer that is read and written.
     pub const fn write(name: &'static str, ty: &'static str) -> Self {
-        Self { name, access: Access::Write, ty, features: &[] }
+        Self { name, access: Access::Write, ty, features: &[], all: &[] }
     }
 
     /// The pass's parameters: `var<storage, read> params`.
     pub const fn params(ty: &'static str) -> Self {
-        Self { name: "params", access: Access::Params, ty, features: &[] }
+        Self { name: "params", access: Access::Params, ty, features: &[], all: &[] }
     }
 
     /// Only there where one of these features is in use.
@@ -67,9 +69,16 @@ impl Binding {
         self
     }
 
+    /// Only there where all of these are in use too.
+    pub const fn and(mut self, features: &'static [&'static str]) -> Self {
+        self.all = features;
+        self
+    }
+
     /// Whether it is in a module that is linked with some features.
     pub fn is_there(&self, on: impl Fn(&str) -> bool) -> bool {
-        self.features.is_empty() || self.features.iter().any(|feature| on(feature))
+        let any = self.features.is_empty() || self.features.iter().any(|feature| on(feature));
+        any && self.all.iter().all(|feature| on(feature))
     }
 }
 

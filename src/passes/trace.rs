@@ -4,9 +4,13 @@ use glam::Vec3;
 
 use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
+use crate::layout::texture::MaterialMaps;
 use crate::layout::trace::{
     MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MaterialRecord, RadianceSample, TraceParams,
 };
+
+/// Features under which textures are looked up: `cutout` in the walk itself.
+pub const TEXTURED: &[&str] = &["textures", "relief", "emission_map", "cutout"];
 
 /// Integrators `Path` and `Bsdf`: with and without light sampling.
 pub static PATH: Pass = Pass {
@@ -23,6 +27,13 @@ pub static PATH: Pass = Pass {
         Binding::read("lights", "array<vec4<u32>>").when(&["lights"]),
         Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
         Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
+        Binding::read("uvs", "array<vec4<u32>>").when(TEXTURED),
+        Binding::read("textures", "array<vec4<u32>>").when(TEXTURED),
+        Binding::read("texels", "array<u32>").when(TEXTURED),
+        Binding::read("material_maps", "array<vec4<u32>>").when(TEXTURED),
+        Binding::read("tangents", "array<vec4<u32>>").when(&["relief"]),
+        Binding::read("mean_emission", "array<f32>").when(&["emission_map"]).and(&["lights"]),
+        Binding::read("triangles", "array<vec4<u32>>").when(&["emission_map"]).and(&["lights"]),
     ],
     makes: &[Makes::Film],
     twin: twin!(path::PathScene::sample),
@@ -43,6 +54,8 @@ pub fn record(recording: &mut Recording, params: &TraceParams) {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Needs<'a> {
     pub materials: &'a [MaterialRecord],
+    /// Of those materials; empty where none has a texture.
+    pub maps: &'a [MaterialMaps],
     /// Radiance from everywhere.
     pub environment: Vec3,
     /// The environment is a picture.
@@ -63,10 +76,13 @@ impl Needs<'_> {
     /// The features to compile, sorted; what a scene lacks is not compiled.
     pub fn features(&self) -> Vec<&'static str> {
         let any = |test: fn(&MaterialRecord) -> bool| self.materials.iter().any(test);
+        let mapped = |test: fn(&MaterialMaps) -> bool| self.maps.iter().any(test);
         let flagged = |flag: u32| self.materials.iter().any(|m| m.flags & flag != 0);
         let wanted = [
             ("alpha", any(|m| m.transparency > 0.0)),
+            ("cutout", mapped(|m| m.opacity != 0)),
             ("dielectric", flagged(MATERIAL_DIELECTRIC)),
+            ("emission_map", mapped(|m| m.emission != 0)),
             ("emitters", any(|m| m.emission.max_element() > 0.0)),
             ("environment", self.environment.max_element() > 0.0),
             ("ggx", flagged(MATERIAL_GGX)),
@@ -74,17 +90,25 @@ impl Needs<'_> {
             ("mirror", flagged(MATERIAL_MIRROR)),
             ("normals", self.normals),
             ("phong", any(MaterialRecord::has_phong)),
+            ("relief", mapped(|m| m.relief != 0)),
             ("roulette", self.roulette),
             // The two exclude each other.
             ("sky", self.sky && !self.sky_light),
             ("sky_light", self.sky_light),
             ("sobol", self.sobol),
+            ("textures", mapped(MaterialMaps::changes_lobes)),
         ];
         wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }
 }
 
-/// The largest radiance that any material or the environment sends out; what the film's exponent is chosen from.
-pub fn largest_emission(materials: &[MaterialRecord], environment: Vec3) -> f32 {
-    materials.iter().map(|m| m.emission.max_element()).fold(environment.max_element(), f32::max)
+/// The largest radiance that any material or the environment sends out; what the film's exponent is chosen from. `most` is what a texture
+/// of a number multiplies it by at most.
+pub fn largest_emission(materials: &[MaterialRecord], maps: &[MaterialMaps], most: &[f32], environment: Vec3) -> f32 {
+    let part = |index: usize| match maps.get(index).map_or(0, |maps| maps.emission) {
+        0 => 1.0,
+        map => most.get(map as usize - 1).copied().unwrap_or(1.0),
+    };
+    let sent = materials.iter().enumerate().map(|(index, m)| m.emission.max_element() * part(index));
+    sent.fold(environment.max_element(), f32::max)
 }

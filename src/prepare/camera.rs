@@ -2,8 +2,9 @@
 
 use glam::{DVec3, UVec2};
 
-use crate::components::{Camera, Crop};
+use crate::components::{Camera, Crop, TextureFilter};
 use crate::layout::film::largest_sample;
+use crate::layout::texture::CONE_PART;
 use crate::layout::trace::TraceParams;
 
 /// Writes the camera part, for a whole film of `film` pixels and a scene whose coordinates are relative to `origin`, in world
@@ -20,6 +21,14 @@ pub fn aim(params: &mut TraceParams, camera: &Camera, film: UVec2, origin: DVec3
     params.up = (up * tan).as_vec3();
     params.cone_spread = (2.0 * tan / f64::from(film.y)) as f32;
     (params.film_width, params.film_height) = (film.x, film.y);
+}
+
+/// Writes how paths' cones grow, behind [`aim`].
+pub fn set_footprint(params: &mut TraceParams, filter: TextureFilter) {
+    match filter {
+        TextureFilter::Footprint => params.cone_part = CONE_PART,
+        TextureFilter::Exact => (params.cone_spread, params.cone_part) = (0.0, 0.0),
+    }
 }
 
 /// Writes the rendered part of the film.

@@ -8,17 +8,22 @@ use crate::layout::trace::{MATERIAL_ONE_SIDED, MaterialRecord, luminance};
 use crate::layout::tree::Triangle;
 
 impl LightTable {
-    /// From triangles in scene order; those that emit nothing, or have no area, are left out. Empty if all of them together are
-    /// so dim that the density is beyond f32: they are left to be hit.
+    /// From triangles in scene order, each of which emits what its material does.
     pub fn new(triangles: impl Iterator<Item = Triangle>, records: &[MaterialRecord]) -> Self {
+        let emission = |triangle: &Triangle| records.get(triangle.material as usize).map_or(Vec3::ZERO, |r| r.emission);
+        Self::of(triangles.map(|triangle| (triangle, emission(&triangle))), records)
+    }
+
+    /// From triangles in scene order, and what each emits on average; those that emit nothing, or have no area, are left out. Empty if all
+    /// of them together are so dim that the density is beyond f32: they are left to be hit.
+    pub fn of(triangles: impl Iterator<Item = (Triangle, Vec3)>, records: &[MaterialRecord]) -> Self {
         let (mut lights, mut powers) = (Vec::new(), Vec::new());
-        for triangle in triangles {
+        for (triangle, emission) in triangles {
             let Some(record) = records.get(triangle.material as usize) else { continue };
             let sides = if record.flags & MATERIAL_ONE_SIDED != 0 { 1 } else { 2 };
-            let power = area(&triangle) * brightness(record.emission) * f64::from(sides);
+            let power = area(&triangle) * brightness(emission) * f64::from(sides);
             if power > 0.0 && power.is_finite() {
                 let Triangle { a, b, c, index, .. } = triangle;
-                let emission = record.emission;
                 let shrink = shrink_of(&triangle).copysign(if sides == 1 { -1.0 } else { 1.0 });
                 lights.push(LightRecord { a, b, c, triangle: index, emission, shrink, ..LightRecord::default() });
                 powers.push(power);

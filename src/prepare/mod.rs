@@ -6,3 +6,5 @@ pub mod light;
 pub mod lighting;
 pub mod material;
 pub mod sky;
+pub mod texture;
+pub mod uvs;

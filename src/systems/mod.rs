@@ -28,8 +28,8 @@ pub use run::Entered;
 use crate::components::Film;
 use phase::Phase;
 use resources::{
-    Batch, CompileListener, Everything, Exposure, FilmProgress, Frame, Governor, LightDensity, Live, Policy,
-    SceneGeometry, Shot, Sky, Spent, Target, Tree, Viewed,
+    Batch, CompileListener, Everything, Exposure, FilmProgress, Frame, Governor, LightDensity, Live, Policy, Relief,
+    SceneGeometry, Shot, Sky, Spent, Target, Textures, Tree, Viewed,
 };
 
 /// The one schedule.
@@ -74,6 +74,8 @@ pub fn insert_resources(world: &mut World) {
     world.init_resource::<Entered>();
     world.init_resource::<Everything>();
     world.init_resource::<Policy>();
+    world.init_resource::<Relief>();
+    world.init_resource::<Textures>();
     world.init_resource::<SceneGeometry>();
     world.init_resource::<LightDensity>();
     world.init_resource::<Sky>();

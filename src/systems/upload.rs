@@ -4,24 +4,31 @@ use bevy_ecs::prelude::*;
 
 use super::error::EngineError;
 use super::phase::Phase;
-use super::resources::{Device, FilmProgress, Shot, SkyCell};
+use super::resources::{Device, FilmProgress, MeanEmission, Shot, SkyCell, Texel};
 use super::run::counted;
 use crate::components::Film;
 use crate::gpu::{GpuTable, TableRow};
 use crate::layout::alias::AliasColumn;
 use crate::layout::light::LightRecord;
+use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{MaterialRecord, Shading};
 use crate::layout::tree::Triangle;
 use crate::passes::film;
 
 /// Every array of the scene.
-const TABLES: [Table; 6] = [
+const TABLES: [Table; 12] = [
     Table::of::<Triangle>(),
     Table::of::<Shading>(),
     Table::of::<MaterialRecord>(),
     Table::of::<LightRecord>(),
     Table::of::<SkyCell>(),
     Table::of::<AliasColumn>(),
+    Table::of::<TextureRecord>(),
+    Table::of::<Texel>(),
+    Table::of::<MaterialMaps>(),
+    Table::of::<CornerUvs>(),
+    Table::of::<Tangents>(),
+    Table::of::<MeanEmission>(),
 ];
 
 /// What is done with a table whatever its rows are.

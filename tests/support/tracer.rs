@@ -29,7 +29,7 @@ fn extend_brute(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups
     let ray = rays[index];
     var hit = Hit(ray.t_max, NO_HIT, 0u, 0.0, 0.0, 0u);
     if params.root != NO_ROOT && !all(ray.direction == vec3(0.0)) {
-        let query = prepare_query(ray, scene_extent(params.root));
+        let query = prepare_query(ray, scene_extent(params.root), 0u);
         var count = 1u;
         if params.root < LEAF_BIT {
             count = load_node(params.root).leaves;

@@ -11,6 +11,7 @@ import package::gen::{MaterialRecord};
 @if(dielectric) import package::lib::bsdf::dielectric::{eta_squared, fresnel, interface_of, refracted};
 @if(ggx) import package::lib::bsdf::ggx::{ggx_evaluate, ggx_sample};
 @if(normals) import package::lib::bsdf::facet::{crowded, crowding, kept_above, mirrored};
+import package::lib::colour::{luminance};
 import package::lib::bsdf::lambert::{lambert_pdf, lambert_value};
 @if(dielectric || phong || mirror) import package::lib::bsdf::mirror::{reflected};
 @if(phong) import package::lib::bsdf::phong::{phong_pdf, phong_value};
@@ -41,6 +42,12 @@ struct BsdfValue {
     value: vec3<f32>,
     // By which mixture_sample() draws this direction, by solid angle.
     pdf: f32,
+}
+
+// Probability of sampling the specular lobe instead of the diffuse one: by luminance.
+fn share_of_specular(kd: vec3<f32>, ks: vec3<f32>) -> f32 {
+    let specular = luminance(ks);
+    return select(0.0, specular / (luminance(kd) + specular), specular > 0.0);
 }
 
 fn is_above(frame: ShadingFrame, wi: vec3<f32>) -> bool {

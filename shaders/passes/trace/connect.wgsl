@@ -4,8 +4,10 @@ import package::gen::{TraceParams, NO_HIT};
 @if(lights) import package::gen::{LIGHT_RECORD_STRIDE, LightRecord, MATERIAL_ONE_SIDED, MaterialRecord, unpack_light_record};
 @if(lights) import package::lib::alias::{alias_pick};
 @if(lights) import package::lib::intersect::{triangle_normal};
-@if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point};
+@if(lights) import package::lib::colour::{luminance};
+@if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point, light_weights};
 @if(lights) import package::lib::math::{largest_of};
+@if(lights && emission_map) import package::passes::trace::emission::{emission_at};
 @if(sky_light) import package::passes::trace::sky::{draw_sky, sky_pdf};
 
 @if(lights) @group(0) @binding(6) var<storage, read> lights: array<vec4<u32>>;
@@ -45,21 +47,23 @@ fn solid_angle_pdf(area_pdf: f32, area_normal: vec3<f32>, direction: vec3<f32>, 
     return area_pdf * (t * t / cos_light);
 }
 
-// The density with which draw_light() draws a direction that was found to meet a surface at distance `t`.
+// The density with which draw_light() draws a direction that was found to meet a surface at distance `t`, whose triangle has a luminance
+// of `mean` on average.
 @if(lights)
-fn light_pdf(params: TraceParams, material: MaterialRecord, area_normal: vec3<f32>, direction: vec3<f32>, t: f32) -> f32 {
+fn light_pdf(params: TraceParams, material: MaterialRecord, mean: f32, area_normal: vec3<f32>, direction: vec3<f32>, t: f32) -> f32 {
     let sides = select(2u, 1u, (material.flags & MATERIAL_ONE_SIDED) != 0u);
-    return solid_angle_pdf(light_area_pdf(material.emission, sides, params.light_density), area_normal, direction, t);
+    return solid_angle_pdf(light_area_pdf(mean, sides, params.light_density), area_normal, direction, t);
 }
 
 // A triangle by its power, from one number. With n lights that leaves 24 - log2 n bits to choose between a column and its
 // alias: the share of a column is off by 2^-25 n of itself at most, up or down by chance.
 @if(lights)
-fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>) -> LightSample {
+fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>, texel: f32) -> LightSample {
     let drawn = alias_pick(pick, params.lights);
     let column = load_light(drawn.column);
     let light = load_light(select(column.other, drawn.column, drawn.rest < column.threshold));
-    let drawn_point = light_point(light, u);
+    let weights = light_weights(u);
+    let drawn_point = light_point(light, weights);
     let area_normal = triangle_normal(light.a, light.b, light.c);
     // What rounding of the point and of the ray to it is a part of.
     let reach = distance(drawn_point, position) + largest_of(abs(drawn_point));
@@ -72,13 +76,17 @@ fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f3
     let direction = offset / t;
     let one_sided = light.shrink < 0.0;
     let lit = !one_sided || dot(area_normal, direction) < 0.0;
-    let area_pdf = light_area_pdf(light.emission, select(2u, 1u, one_sided), params.light_density);
+    let area_pdf = light_area_pdf(luminance(light.emission), select(2u, 1u, one_sided), params.light_density);
     let pdf = solid_angle_pdf(area_pdf, area_normal, direction, t);
     // A speck, or a light so edge-on that rays to it meet its neighbour by their rounding: the shadow ray ends just before it.
     let cos_light = abs(dot(normalize(area_normal / largest_of(abs(area_normal))), direction));
     let is_speck = abs(light.shrink) * reach > 0.5 * cos_light;
     let end = 1.0 + select(AROUND_LIGHT, -AROUND_LIGHT, is_speck);
-    return LightSample(direction, select(0.0, pdf, lit), light.emission, light.triangle, point, end);
+    var radiance = light.emission;
+    @if(lights && emission_map) {
+        radiance = emission_at(light, weights, texel);
+    }
+    return LightSample(direction, select(0.0, pdf, lit), radiance, light.triangle, point, end);
 }
 
 @if(sky_light)
@@ -87,17 +95,17 @@ fn draw_from_sky(params: TraceParams, u: vec2<f32>) -> LightSample {
     return LightSample(drawn.direction, sky_pdf(drawn.radiance, params.sky_density), drawn.radiance, NO_HIT, vec3<f32>(0.0), 0.0);
 }
 
-// Light at a position. `pick` chooses the light, `u` the point on it.
+// Light at a position. `pick` chooses the light, `u` the point on it, `texel` what its map says there.
 @if(lights || sky_light)
-fn draw_light(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>) -> LightSample {
+fn draw_light(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>, texel: f32) -> LightSample {
     @if(lights && sky_light) {
         if (pick >= params.light_share) {
             return draw_from_sky(params, u);
         }
-        return draw_triangle(params, position, pick / params.light_share, u);
+        return draw_triangle(params, position, pick / params.light_share, u, texel);
     }
     @if(lights && !sky_light) {
-        return draw_triangle(params, position, pick, u);
+        return draw_triangle(params, position, pick, u, texel);
     }
     @if(!lights) {
         return draw_from_sky(params, u);

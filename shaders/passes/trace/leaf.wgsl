@@ -2,6 +2,7 @@
 
 import package::gen::{Hit};
 import package::lib::intersect::{Query, intersect_triangle};
+@if(cutout) import package::passes::trace::cutout::{is_there};
 import package::passes::trace::scene::{load_leaf};
 
 // Makes the triangle of a leaf the hit if it comes before the hit so far: if it is nearer, or as near and of lower index.
@@ -11,7 +12,13 @@ fn test_leaf(query: Query, leaf: u32, hit: ptr<function, Hit>) {
     if !found.hit || found.t <= query.t_min {
         return;
     }
-    if found.t < (*hit).t || (found.t == (*hit).t && triangle.index < (*hit).triangle) {
+    var nearer = found.t < (*hit).t || (found.t == (*hit).t && triangle.index < (*hit).triangle);
+    @if(cutout) {
+        if nearer {
+            nearer = is_there(triangle, found.b1, found.b2, query.chance);
+        }
+    }
+    if nearer {
         (*hit).t = found.t;
         (*hit).triangle = triangle.index;
         (*hit).leaf = leaf;

@@ -4,8 +4,7 @@
 // begin, extend, shade and connect are functions over one path state, and the entry point composes them.
 
 import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
-import package::gen::{MATERIAL_RECORD_STRIDE, unpack_material_record};
-import package::gen::{Hit, Ray, Triangle, NO_HIT, T_FAR};
+import package::gen::{Hit, Ray, Triangle, NO_CHANCE, NO_HIT, T_FAR};
 import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
 import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
 @if(roulette) import package::gen::{ROULETTE_BOUNCE};
@@ -22,26 +21,29 @@ import package::lib::intersect::{offset_ray_origin, surface_point, triangle_norm
 @if(lights || sky_light) import package::lib::light::{power_heuristic};
 import package::lib::math::{largest_of};
 import package::lib::rng::{sample_2d, sample_4d};
-@if(normals) import package::lib::normals::{bent_to_viewer, interpolate_normal};
+@if(cutout) import package::lib::rng_pcg::{pcg_words};
+@if(normals || relief) import package::lib::normals::{bent_to_viewer, facing};
+@if(normals) import package::lib::normals::{interpolate_normal};
+@if(cutout) import package::gen::{CUTOUT_DIMENSIONS};
+@if(emission_map) import package::passes::trace::emission::{emission_part};
+@if(lights && emission_map) import package::passes::trace::emission::{mean_luminance};
+@if(relief) import package::passes::trace::relief::{relieved};
+@if(textures) import package::passes::trace::textured::{textured};
+@if(textures || relief || emission_map) import package::passes::trace::footprint::{Texturing, at_point, spread_by, texturing_at};
 @if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, LightSample, draw_light};
+@if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::passes::trace::connect::{light_pdf};
+import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{load_leaf, scene_extent};
 @if(sky || sky_light) import package::passes::trace::sky::{sky_radiance};
 @if(sky_light) import package::passes::trace::sky::{sky_pdf};
 import package::passes::trace::traverse::{traverse};
 
 @group(0) @binding(2) var<storage, read> params: TraceParams;
-@group(0) @binding(3) var<storage, read> materials: array<vec4<u32>>;
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
 @if(normals) @group(0) @binding(5) var<storage, read> shading: array<Shading>;
 
 const LARGEST_F32: f32 = 0x1.fffffep+127;
-
-// By four words, as nodes are read.
-fn load_material(index: u32) -> MaterialRecord {
-    let at = MATERIAL_RECORD_STRIDE * index;
-    return unpack_material_record(materials[at], materials[at + 1u], materials[at + 2u], materials[at + 3u], materials[at + 4u]);
-}
 
 fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
     return (*state).bounce * DIMENSIONS_PER_BOUNCE + slot;
@@ -70,12 +72,27 @@ fn shading_frame_at(triangle: Triangle, hit: Hit, area_normal: vec3<f32>, wo: ve
     let unit = normalize(area_normal / largest_of(abs(area_normal)));
     let back_face = dot(unit, wo) < 0.0;
     let geometric = select(unit, -unit, back_face);
-    var shading_normal = geometric;
+    return ShadingFrame(wo, geometric, geometric, u32(back_face));
+}
+
+// The normal that a surface is shaded by, on the side of its viewer.
+@if(normals || relief)
+fn shading_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame, @if(relief) texturing: Texturing) -> vec3<f32> {
+    // Of a flat triangle, on the side of its winding.
+    var normal = select(frame.geometric, -frame.geometric, frame.back_face != 0u);
     @if(normals) {
-        let smooth_normal = interpolate_normal(shading[triangle.index], hit.b1, hit.b2, geometric);
-        shading_normal = bent_to_viewer(smooth_normal, geometric, wo);
+        normal = interpolate_normal(shading[triangle.index], hit.b1, hit.b2, normal);
     }
-    return ShadingFrame(wo, shading_normal, geometric, u32(back_face));
+    @if(relief) {
+        if (texturing.maps.relief != 0u) {
+            let side = facing(normal, frame.geometric);
+            let bent = relieved(texturing.maps.relief, texturing.point, triangle.index, hit.b1, hit.b2, normal, texturing.others.x);
+            // However steep a picture is, the facet is in front of what it says.
+            let seen = select(bent, -bent, dot(normal, frame.geometric) < 0.0);
+            return bent_to_viewer(bent_to_viewer(seen, side, frame.geometric), frame.geometric, frame.wo);
+        }
+    }
+    return bent_to_viewer(facing(normal, frame.geometric), frame.geometric, frame.wo);
 }
 
 // `pixel` in the whole film, `sample` a film sample: even ones belong to half 0, odd ones to half 1.
@@ -96,8 +113,12 @@ fn segment_ray(state: PathState) -> Ray {
 
 // The ray of a path: a segment of it, or a shadow ray.
 fn extend(state: ptr<function, PathState>, ray: Ray, extent: f32, enough: f32) -> Hit {
+    var chance = NO_CHANCE;
+    @if(cutout) {
+        chance = pcg_words((*state).key, CUTOUT_DIMENSIONS + (*state).rays).x | 1u;
+    }
     (*state).rays += 1u;
-    return traverse(ray, params.root, extent, enough);
+    return traverse(ray, params.root, extent, enough, chance);
 }
 
 // Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel, as it would be
@@ -121,6 +142,8 @@ struct Choices {
     light: f32,
     lobe: f32,
     roulette: f32,
+    // What the map of a light says.
+    texel: f32,
 }
 
 // Draws a new direction from the BSDF of the surface at the end of the ray. Whether the path goes on.
@@ -135,9 +158,12 @@ fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
     }
     if (alive) {
         (*state).origin = offset_ray_origin(surface.position, surface.error, surface.frame.geometric, drawn.direction);
+        (*state).cone_width += (*state).cone_spread * surface.t;
+        @if(textures || relief || emission_map) {
+            (*state).cone_spread = spread_by(*state, surface.curvature, drawn, params.cone_part);
+        }
         (*state).direction = drawn.direction;
         (*state).pdf = drawn.pdf;
-        (*state).cone_width += (*state).cone_spread * surface.t;
         (*state).bounce += 1u;
     }
     return alive;
@@ -159,9 +185,9 @@ struct Connection {
 
 // Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by scatter().
 @if(lights || sky_light)
-fn connect(state: ptr<function, PathState>, surface: Surface, pick: f32) -> Connection {
+fn connect(state: ptr<function, PathState>, surface: Surface, choices: Choices) -> Connection {
     let u = sample_2d((*state).key, dimension(state, SLOT_LIGHT_POINT));
-    let drawn = draw_light(params, surface.position, pick, u);
+    let drawn = draw_light(params, surface.position, choices.light, u, choices.texel);
     let at = mixture_evaluate(surface.material, surface.frame, drawn.direction);
     var light = vec3<f32>(0.0);
     if (drawn.pdf > 0.0 && at.pdf > 0.0) {
@@ -188,16 +214,26 @@ struct Surface {
     error: vec3<f32>,
     // Distance from the ray's origin.
     t: f32,
+    // By how much the shading normal turns along a unit of length.
+    @if(textures || relief || emission_map) curvature: f32,
 }
 
-fn surface_at(triangle: Triangle, hit: Hit, material: MaterialRecord, area_normal: vec3<f32>, wo: vec3<f32>) -> Surface {
+// `material` is that of the point, whatever its textures are.
+fn surface_at(triangle: Triangle, hit: Hit, material: MaterialRecord, frame: ShadingFrame) -> Surface {
     let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
-    let frame = shading_frame_at(triangle, hit, area_normal, wo);
-    return Surface(frame, material, triangle.material, at.position, at.error, hit.t);
+    var surface: Surface;
+    surface.frame = frame;
+    surface.material = material;
+    surface.index = triangle.material;
+    surface.position = at.position;
+    surface.error = at.error;
+    surface.t = hit.t;
+    return surface;
 }
 
-// What arrives along the ray from its end, times the part of it that this way of finding it counts for.
-fn incident_radiance(state: ptr<function, PathState>, hit: Hit, material: MaterialRecord, area_normal: vec3<f32>) -> vec3<f32> {
+// What arrives along the ray from its end, times the part of it that this way of finding it counts for. `mean` is the luminance by which the
+// triangle is sampled as a light.
+fn incident_radiance(state: ptr<function, PathState>, hit: Hit, material: MaterialRecord, mean: f32, area_normal: vec3<f32>) -> vec3<f32> {
     var light = vec3<f32>(0.0);
     if (hit.triangle == NO_HIT) {
         @if(environment) {
@@ -217,7 +253,7 @@ fn incident_radiance(state: ptr<function, PathState>, hit: Hit, material: Materi
         }
         @if(lights) {
             if ((*state).pdf > 0.0) {
-                light *= power_heuristic((*state).pdf, light_pdf(params, material, area_normal, (*state).direction, hit.t));
+                light *= power_heuristic((*state).pdf, light_pdf(params, material, mean, area_normal, (*state).direction, hit.t));
             }
         }
     }
@@ -237,17 +273,46 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
     let missed = hit.triangle == NO_HIT;
     // Of a ray that missed: leaf 0, not used.
     let triangle = load_leaf(hit.leaf);
-    let material = load_material(triangle.material);
+    var material = load_material(triangle.material);
     let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
-    let light = incident_radiance(state, hit, material, area_normal);
+    var mean = 0.0;
+    @if(lights) {
+        mean = luminance(material.emission);
+    }
+    @if(textures || relief || emission_map) let texturing = texturing_at(*state, triangle, hit, area_normal);
+    @if(emission_map) {
+        if (texturing.maps.emission != 0u) {
+            // Where light sampling could have found it, it is looked up as there: without a footprint.
+            let point = at_point(texturing.point, (*state).pdf > 0.0);
+            material.emission *= emission_part(triangle.material, point, texturing.others.y);
+            @if(lights) {
+                mean = mean_luminance(triangle.index);
+            }
+        }
+    }
+    let light = incident_radiance(state, hit, material, mean, area_normal);
     var shaded: Shaded;
     shaded.alive = add_radiance(state, (*state).throughput * light, select(triangle.material, NO_MATERIAL, missed));
     if (shaded.alive && !missed && (*state).bounce + 1u < params.max_depth) {
-        let surface = surface_at(triangle, hit, material, area_normal, -(*state).direction);
+        var frame = shading_frame_at(triangle, hit, area_normal, -(*state).direction);
+        @if(relief) {
+            frame.shading = shading_normal_at(triangle, hit, frame, texturing);
+        }
+        @if(normals && !relief) {
+            frame.shading = shading_normal_at(triangle, hit, frame);
+        }
+        @if(textures) {
+            material = textured(material, texturing.maps, texturing.point, texturing.colours);
+        }
+        var surface = surface_at(triangle, hit, material, frame);
         let u = sample_4d((*state).key, dimension(state, SLOT_CHOICES));
-        let choices = Choices(u.x, u.y, u.z);
+        var choices = Choices(u.x, u.y, u.z, 0.0);
+        @if(textures || relief || emission_map) {
+            surface.curvature = texturing.curvature;
+            choices.texel = texturing.others.z;
+        }
         @if(lights || sky_light) {
-            shaded.connection = connect(state, surface, choices.light);
+            shaded.connection = connect(state, surface, choices);
         }
         shaded.alive = scatter(state, surface, choices);
     } else {

@@ -9,26 +9,27 @@
 // something was forgotten, the traversal climbs from the node visited last and goes on in the first far child it has not
 // come from. What was passed by before stays passed by, since the best t only shrinks.
 
-import package::gen::{Hit, Ray, NO_HIT, NO_ROOT};
+import package::gen::{Hit, Ray, NO_CHANCE, NO_HIT, NO_ROOT};
 import package::lib::intersect::{prepare_query};
 import package::passes::trace::scene::{scene_extent};
 @if(!software) import package::passes::trace::traverse_divergent::{traverse_nodes};
 @if(software) import package::passes::trace::traverse_masked::{traverse_nodes};
 
 // The hit of least (t, triangle), or some hit that is nearer than `enough`: traversal ends at its first such. `extent` is that of
-// scene_extent(). Leaves are tested as soon as their parent is visited, nearer first, and only nodes wait on the stack.
-fn traverse(ray: Ray, root: u32, extent: f32, enough: f32) -> Hit {
+// scene_extent(); `chance` is the ray's own number, by which surfaces with holes are there or not. Leaves are tested as soon as their
+// parent is visited, nearer first, and only nodes wait on the stack.
+fn traverse(ray: Ray, root: u32, extent: f32, enough: f32, chance: u32) -> Hit {
     // A ray that leads nowhere has nowhere to begin.
     let begin = select(root, NO_ROOT, all(ray.direction == vec3(0.0)));
-    return traverse_nodes(prepare_query(ray, extent), begin, enough);
+    return traverse_nodes(prepare_query(ray, extent, chance), begin, enough);
 }
 
 // The hit of least (t, triangle).
 fn closest_hit(ray: Ray, root: u32) -> Hit {
-    return traverse(ray, root, scene_extent(root), 0.0);
+    return traverse(ray, root, scene_extent(root), 0.0, NO_CHANCE);
 }
 
 // Whether anything lies between the ray's ends.
 fn any_hit(ray: Ray, root: u32) -> bool {
-    return traverse(ray, root, scene_extent(root), ray.t_max).triangle != NO_HIT;
+    return traverse(ray, root, scene_extent(root), ray.t_max, NO_CHANCE).triangle != NO_HIT;
 }

@@ -8,12 +8,12 @@ import package::lib::camera::{camera_direction};
 import package::lib::colour::{srgb8};
 import package::lib::intersect::{triangle_normal};
 import package::lib::math::{largest_of};
-@if(normals) import package::lib::normals::{interpolate_normal};
+@if(normals) import package::lib::normals::{facing, interpolate_normal};
+import package::passes::trace::materials::{materials};
 import package::passes::trace::scene::{load_leaf};
 import package::passes::trace::traverse::{closest_hit};
 
 @group(0) @binding(2) var<storage, read> params: ViewParams;
-@group(0) @binding(3) var<storage, read> materials: array<vec4<u32>>;
 @group(0) @binding(4) var<storage, read_write> picture: array<u32>;
 @if(normals) @group(0) @binding(5) var<storage, read> shading: array<Shading>;
 
@@ -43,7 +43,7 @@ fn normal_at(triangle: Triangle, hit: Hit, direction: vec3<f32>) -> vec3<f32> {
     let geometric = select(unit, -unit, dot(unit, direction) > 0.0);
     var normal = geometric;
     @if(normals) {
-        normal = interpolate_normal(shading[triangle.index], hit.b1, hit.b2, geometric);
+        normal = facing(interpolate_normal(shading[triangle.index], hit.b1, hit.b2, geometric), geometric);
     }
     return normal;
 }

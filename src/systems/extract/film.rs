@@ -6,9 +6,10 @@ use super::step::Step;
 use crate::components::Film;
 use crate::gpu::GpuTable;
 use crate::layout::light::LightRecord;
+use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{MaterialRecord, Shading};
 use crate::layout::tree::Triangle;
-use crate::systems::resources::{Exposure, FilmProgress, Shot, Sky, Tree};
+use crate::systems::resources::{Exposure, FilmProgress, MeanEmission, Shot, Sky, Texel, Tree};
 use crate::systems::run::counted;
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -23,21 +24,37 @@ pub fn add_systems(schedule: &mut Schedule) {
     );
 }
 
-/// Anything that the kernel reads is another one.
-fn light_changed(
-    triangles: Res<GpuTable<Triangle>>,
-    shading: Res<GpuTable<Shading>>,
-    records: Res<GpuTable<MaterialRecord>>,
-    lights: Res<GpuTable<LightRecord>>,
-    sky: Res<Sky>,
-    shot: Res<Shot>,
-) -> bool {
-    triangles.is_changed()
-        || shading.is_changed()
-        || records.is_changed()
-        || lights.is_changed()
-        || sky.is_changed()
-        || shot.is_changed()
+/// What the kernel reads.
+#[derive(bevy_ecs::system::SystemParam)]
+struct Seen<'w> {
+    triangles: Res<'w, GpuTable<Triangle>>,
+    shading: Res<'w, GpuTable<Shading>>,
+    records: Res<'w, GpuTable<MaterialRecord>>,
+    lights: Res<'w, GpuTable<LightRecord>>,
+    means: Res<'w, GpuTable<MeanEmission>>,
+    textures: Res<'w, GpuTable<TextureRecord>>,
+    texels: Res<'w, GpuTable<Texel>>,
+    maps: Res<'w, GpuTable<MaterialMaps>>,
+    uvs: Res<'w, GpuTable<CornerUvs>>,
+    tangents: Res<'w, GpuTable<Tangents>>,
+    sky: Res<'w, Sky>,
+    shot: Res<'w, Shot>,
+}
+
+/// Any of it is another one.
+fn light_changed(seen: Seen) -> bool {
+    seen.triangles.is_changed()
+        || seen.shading.is_changed()
+        || seen.records.is_changed()
+        || seen.lights.is_changed()
+        || seen.means.is_changed()
+        || seen.textures.is_changed()
+        || seen.texels.is_changed()
+        || seen.maps.is_changed()
+        || seen.uvs.is_changed()
+        || seen.tangents.is_changed()
+        || seen.sky.is_changed()
+        || seen.shot.is_changed()
 }
 
 /// Triangles changed: Morton codes to tree. Another tree has the same hits, but may have other steps to them.

@@ -1,14 +1,20 @@
 //! Emitting triangles to the table that light sampling draws from.
 
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
 use bevy_ecs::prelude::*;
+use glam::Vec3;
 
 use super::step::Step;
-use crate::components::Integrator;
+use crate::components::{Integrator, Texture};
 use crate::gpu::GpuTable;
 use crate::layout::light::{LightRecord, LightTable};
-use crate::layout::trace::MaterialRecord;
+use crate::layout::texture::{CornerUvs, MaterialMaps};
+use crate::layout::trace::{MaterialRecord, luminance};
 use crate::layout::tree::Triangle;
-use crate::systems::resources::{Everything, LightDensity, Policy};
+use crate::prepare;
+use crate::systems::resources::{Everything, LightDensity, MeanEmission, Policy, TextureSlot, Textures};
 use crate::systems::run::counted;
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -16,34 +22,87 @@ pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(system.run_if(lights_changed).in_set(Step::Lights));
 }
 
-/// Triangles, records or the integrator changed.
+/// Triangles, records, textures or the integrator changed.
 fn lights_changed(
     everything: Res<Everything>,
     triangles: Res<GpuTable<Triangle>>,
     records: Res<GpuTable<MaterialRecord>>,
+    maps: Res<GpuTable<MaterialMaps>>,
+    uvs: Res<GpuTable<CornerUvs>>,
+    textures: Res<Textures>,
     policy: Res<Policy>,
 ) -> bool {
-    everything.0 || triangles.is_changed() || records.is_changed() || policy.is_changed()
+    let surfaces = records.is_changed() || maps.is_changed() || uvs.is_changed() || textures.is_changed();
+    everything.0 || triangles.is_changed() || surfaces || policy.is_changed()
+}
+
+/// What lights are made of.
+#[derive(bevy_ecs::system::SystemParam)]
+struct Emitting<'w, 's> {
+    triangles: Res<'w, GpuTable<Triangle>>,
+    records: Res<'w, GpuTable<MaterialRecord>>,
+    maps: Res<'w, GpuTable<MaterialMaps>>,
+    uvs: Res<'w, GpuTable<CornerUvs>>,
+    textures: Query<'w, 's, (&'static Texture, &'static TextureSlot)>,
+}
+
+/// What comes of them.
+#[derive(bevy_ecs::system::SystemParam)]
+struct Lit<'w> {
+    lights: ResMut<'w, GpuTable<LightRecord>>,
+    means: ResMut<'w, GpuTable<MeanEmission>>,
+    density: ResMut<'w, LightDensity>,
 }
 
 /// Makes the table anew. A scene whose integrator samples no lights has none.
-fn extract_lights(
-    triangles: Res<GpuTable<Triangle>>,
-    records: Res<GpuTable<MaterialRecord>>,
-    policy: Res<Policy>,
-    mut lights: ResMut<GpuTable<LightRecord>>,
-    mut density: ResMut<LightDensity>,
-) {
-    let emits: Vec<bool> = records.rows().iter().map(|record| record.emission.max_element() > 0.0).collect();
+fn extract_lights(emitting: Emitting, policy: Res<Policy>, mut lit: Lit) {
+    let (records, triangles) = (emitting.records.rows(), emitting.triangles.rows());
+    let emits: Vec<bool> = records.iter().map(|record| record.emission.max_element() > 0.0).collect();
     let table = match policy.integrator == Integrator::Path && emits.contains(&true) {
         true => {
             let shines = |triangle: &&Triangle| emits.get(triangle.material as usize).is_some_and(|emits| *emits);
-            LightTable::new(triangles.rows().iter().filter(shines).copied(), records.rows())
+            let mapped = emitting.mapped(&emits);
+            let emission = |triangle: &Triangle| emitting.mean(triangle, &mapped);
+            let sent = triangles.iter().filter(shines).map(|triangle| (*triangle, emission(triangle)));
+            LightTable::of(sent, records)
         }
         false => LightTable::default(),
     };
-    if !lights.holds(&table.lights) {
-        lights.set(table.lights);
+    let mut means = Vec::new();
+    if !table.lights.is_empty() && emitting.maps.rows().iter().any(|maps| maps.emission != 0) {
+        means.resize(triangles.len(), MeanEmission(0.0));
+        for light in &table.lights {
+            means[light.triangle as usize].0 = luminance(light.emission);
+        }
     }
-    density.set_if_neq(LightDensity(table.density));
+    if !lit.lights.holds(&table.lights) {
+        lit.lights.set(table.lights);
+    }
+    if !lit.means.holds(&means) {
+        lit.means.set(means);
+    }
+    lit.density.set_if_neq(LightDensity(table.density));
+}
+
+impl Emitting<'_, '_> {
+    /// The map of emission of each material that emits, ready to be averaged.
+    fn mapped(&self, emits: &[bool]) -> Vec<Option<Rc<prepare::texture::MeanEmission>>> {
+        let mut read: BTreeMap<u32, Rc<prepare::texture::MeanEmission>> = BTreeMap::new();
+        let mut of = |(maps, emits): (&MaterialMaps, &bool)| {
+            let index = maps.emission.checked_sub(1).filter(|_| *emits)?;
+            let texture = self.textures.iter().find(|(_, slot)| slot.index == index)?.0;
+            Some(read.entry(index).or_insert_with(|| Rc::new(prepare::texture::mean_emission(texture))).clone())
+        };
+        self.maps.rows().iter().zip(emits).map(&mut of).collect()
+    }
+
+    /// What a triangle sends out on average.
+    fn mean(&self, triangle: &Triangle, mapped: &[Option<Rc<prepare::texture::MeanEmission>>]) -> Vec3 {
+        let material = triangle.material as usize;
+        let emission = self.records.rows()[material].emission;
+        match (mapped.get(material), self.uvs.rows().get(triangle.index as usize)) {
+            (Some(Some(map)), Some(uvs)) => emission * map.over([uvs.a, uvs.a + uvs.b, uvs.a + uvs.c]),
+            _ => emission,
+        }
+    }
 }

@@ -12,7 +12,7 @@ use crate::layout::trace::Shading;
 use crate::layout::tree::Triangle;
 use crate::passes::tree::PLAN;
 use crate::systems::error::EngineError;
-use crate::systems::resources::{Everything, MaterialSlot, MeshSlot, SceneGeometry};
+use crate::systems::resources::{Everything, MaterialSlot, MeshSlot, Relief, SceneGeometry};
 use crate::systems::run::counted;
 
 type Mesh<'a> = (Entity, &'a Name, &'a Geometry, Option<&'a Transform>, Option<&'a UsesMaterial>, Option<&'a MeshSlot>);
@@ -26,7 +26,7 @@ pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(system.run_if(meshes_changed).in_set(Step::Meshes));
 }
 
-/// A mesh came, went, changed or was renamed, or a material has another slot.
+/// A mesh came, went, changed or was renamed, a material has another slot, or normals count or do not.
 #[expect(clippy::too_many_arguments, reason = "a condition's arguments are what it reads")]
 fn meshes_changed(
     everything: Res<Everything>,
@@ -37,9 +37,14 @@ fn meshes_changed(
     mut unmoved: RemovedComponents<Transform>,
     mut unnamed: RemovedComponents<Name>,
     mut unslotted: RemovedComponents<MaterialSlot>,
+    relief: Res<Relief>,
 ) -> bool {
     let removed = gone.read().count() + unset.read().count() + unmoved.read().count() + unnamed.read().count();
-    everything.0 || removed + unslotted.read().count() > 0 || !touched.is_empty() || !slots.is_empty()
+    everything.0
+        || removed + unslotted.read().count() > 0
+        || !touched.is_empty()
+        || !slots.is_empty()
+        || relief.is_changed()
 }
 
 /// Finds the meshes that are not what their slots say, and flattens those into the tables; all of them where the origin moves,
@@ -48,6 +53,7 @@ fn extract_meshes(
     meshes: Query<Mesh>,
     materials: Query<&MaterialSlot>,
     stray: Query<Entity, Stray>,
+    relief: Res<Relief>,
     mut world: ResMut<SceneGeometry>,
     mut triangles: ResMut<GpuTable<Triangle>>,
     mut shading: ResMut<GpuTable<Shading>>,
@@ -65,7 +71,7 @@ fn extract_meshes(
         origin: choose_origin(low, high),
         low,
         high,
-        normals: slots.iter().any(|slot| !slot.geometry.normal_triangles.is_empty()),
+        normals: relief.0 || slots.iter().any(|slot| !slot.geometry.normal_triangles.is_empty()),
     };
     let kept = (&now.meshes, now.origin, now.normals) == (&world.meshes, world.origin, world.normals);
     let count = slots.last().map_or(0, |slot| slot.first + slot.count) as usize;

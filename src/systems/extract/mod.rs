@@ -9,6 +9,8 @@ mod settings;
 mod shot;
 mod sky;
 mod step;
+mod textures;
+mod uvs;
 
 use bevy_ecs::prelude::*;
 
@@ -19,14 +21,26 @@ use step::Step;
 
 pub fn add_systems(schedule: &mut Schedule) {
     settings::add_systems(schedule);
+    textures::add_systems(schedule);
     materials::add_systems(schedule);
     meshes::add_systems(schedule);
+    uvs::add_systems(schedule);
     lights::add_systems(schedule);
     sky::add_systems(schedule);
     shot::add_systems(schedule);
     film::add_systems(schedule);
     schedule.configure_sets(
-        (Step::Settings, Step::Materials, Step::Meshes, Step::Lights, Step::Sky, Step::Shot, Step::Film)
+        (
+            Step::Settings,
+            Step::Textures,
+            Step::Materials,
+            Step::Meshes,
+            Step::Uvs,
+            Step::Lights,
+            Step::Sky,
+            Step::Shot,
+            Step::Film,
+        )
             .chain()
             .in_set(Phase::Extract),
     );

@@ -14,5 +14,6 @@ pub fn add_systems(schedule: &mut Schedule) {
 
 fn extract_policy(renders: Query<&Render, With<Film>>, mut policy: ResMut<Policy>) {
     let render = renders.iter().next().copied().unwrap_or_default();
-    policy.set_if_neq(Policy { energy: render.energy, integrator: render.integrator });
+    let Render { energy, integrator, diffuse_map, texture_size, .. } = render;
+    policy.set_if_neq(Policy { energy, integrator, diffuse_map, texture_size });
 }

@@ -12,6 +12,7 @@ use crate::components::{
 use crate::gpu::GpuTable;
 use crate::layout::film::film_exponent;
 use crate::layout::light::LightRecord;
+use crate::layout::texture::MaterialMaps;
 use crate::layout::trace::{MaterialRecord, TraceParams};
 use crate::layout::tree::Triangle;
 use crate::passes::trace::{Needs, largest_emission};
@@ -19,7 +20,9 @@ use crate::passes::tree::PLAN;
 use crate::prepare::camera;
 use crate::prepare::lighting::Lighting;
 use crate::systems::error::EngineError;
-use crate::systems::resources::{Everything, Exposure, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target};
+use crate::systems::resources::{
+    Everything, Exposure, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target, Textures,
+};
 use crate::systems::run::counted;
 
 type TouchedCamera = (With<Camera>, Or<(Changed<Camera>, Changed<Name>, Changed<Active>)>);
@@ -55,10 +58,13 @@ fn entities_changed(
 }
 
 /// What the scene comes to changed.
+#[expect(clippy::too_many_arguments, reason = "a condition's arguments are what it reads")]
 fn scene_changed(
     geometry: Res<SceneGeometry>,
     triangles: Res<GpuTable<Triangle>>,
     records: Res<GpuTable<MaterialRecord>>,
+    maps: Res<GpuTable<MaterialMaps>>,
+    textures: Res<Textures>,
     lights: Res<GpuTable<LightRecord>>,
     density: Res<LightDensity>,
     sky: Res<Sky>,
@@ -66,6 +72,8 @@ fn scene_changed(
     geometry.is_changed()
         || triangles.is_changed()
         || records.is_changed()
+        || maps.is_changed()
+        || textures.is_changed()
         || lights.is_changed()
         || density.is_changed()
         || sky.is_changed()
@@ -77,6 +85,8 @@ struct Packed<'w> {
     geometry: Res<'w, SceneGeometry>,
     triangles: Res<'w, GpuTable<Triangle>>,
     records: Res<'w, GpuTable<MaterialRecord>>,
+    maps: Res<'w, GpuTable<MaterialMaps>>,
+    textures: Res<'w, Textures>,
     lights: Res<'w, GpuTable<LightRecord>>,
     density: Res<'w, LightDensity>,
     sky: Res<'w, Sky>,
@@ -135,7 +145,12 @@ fn shoot(
     }
     let (sky, geometry) = (&packed.sky, &packed.geometry);
     let brightest = environment.max(Vec3::splat(sky.brightest));
-    let exponent = film_exponent(largest_emission(packed.records.rows(), brightest));
+    let exponent = film_exponent(largest_emission(
+        packed.records.rows(),
+        packed.maps.rows(),
+        &packed.textures.brightest,
+        brightest,
+    ));
     let mut params = TraceParams {
         environment,
         seed: render.seed,
@@ -144,6 +159,9 @@ fn shoot(
         ..Default::default()
     };
     camera::aim(&mut params, camera, film.size, geometry.origin);
+    if !packed.maps.is_empty() {
+        camera::set_footprint(&mut params, render.texture_filter);
+    }
     camera::crop(&mut params, window);
     camera::fit_film(&mut params, exponent);
     let lighting = Lighting {
@@ -155,6 +173,7 @@ fn shoot(
     lighting.write(&mut params, 0.5 * (geometry.high - geometry.low).length());
     let needs = Needs {
         materials: packed.records.rows(),
+        maps: packed.maps.rows(),
         environment,
         sky: sky.source.is_some(),
         sky_light: lighting.sky_power > 0.0,

@@ -6,8 +6,10 @@ use bevy_ecs::prelude::*;
 #[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Step {
     Settings,
+    Textures,
     Materials,
     Meshes,
+    Uvs,
     Lights,
     Sky,
     Shot,

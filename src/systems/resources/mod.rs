@@ -5,11 +5,14 @@ mod device;
 mod film;
 mod governor;
 mod scene;
+mod textures;
 
 pub use compiling::CompileListener;
 pub use device::{Budget, Device, Frame, Live, Spent, Tree, TreeBuilder, Viewed};
 pub use film::{Batch, FilmProgress};
 pub use governor::Governor;
 pub use scene::{
-    Everything, Exposure, LightDensity, MaterialSlot, MeshSlot, Policy, SceneGeometry, Shot, Sky, SkyCell, Target,
+    Everything, Exposure, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief, SceneGeometry, Shot, Sky,
+    SkyCell, Target, Texel,
 };
+pub use textures::{TextureSlot, TextureUse, Textures};

@@ -7,10 +7,11 @@ use bevy_ecs::prelude::*;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, UVec2, Vec4};
 
-use crate::components::{Energy, EnvironmentMap, Integrator, MeshData, Transform};
+use crate::components::{DiffuseMap, Energy, EnvironmentMap, Integrator, MeshData, Transform};
 use crate::gpu::TableRow;
 use crate::layout::alias::AliasColumn;
 use crate::layout::light::LightRecord;
+use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
 use crate::layout::tree::Triangle;
 
@@ -18,6 +19,16 @@ use crate::layout::tree::Triangle;
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct SkyCell(pub Vec4);
+
+/// A word of the textures.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+pub struct Texel(pub u32);
+
+/// What a triangle sends out on average, luminance; 0 where light sampling does not know it.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct MeanEmission(pub f32);
 
 /// Each array of the scene: a row a type.
 macro_rules! tables {
@@ -35,6 +46,12 @@ tables! {
     LightRecord => "lights",
     SkyCell => "sky",
     AliasColumn => "sky_columns",
+    TextureRecord => "textures",
+    Texel => "texels",
+    MaterialMaps => "material_maps",
+    CornerUvs => "uvs",
+    Tangents => "tangents",
+    MeanEmission => "mean_emission",
 }
 
 /// Everything is to be extracted again: a run of the schedule went wrong, and what it took note of may be lost.
@@ -46,7 +63,14 @@ pub struct Everything(pub bool);
 pub struct Policy {
     pub energy: Energy,
     pub integrator: Integrator,
+    pub diffuse_map: DiffuseMap,
+    /// Texels a side of a texture, at most.
+    pub texture_size: u32,
 }
+
+/// Some material has a relief: the facets that its normals lean off are kept track of.
+#[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Relief(pub bool);
 
 /// Index of a material's record: by the order of names. The record behind the last is the default one.
 #[derive(Component, Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +109,7 @@ pub struct SceneGeometry {
     /// World space box of all meshes, scene units; low above high without any.
     pub low: DVec3,
     pub high: DVec3,
-    /// Some mesh has normals of its own.
+    /// Some mesh has normals of its own, or some material bends them.
     pub normals: bool,
 }
 

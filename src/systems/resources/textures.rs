@@ -1,0 +1,45 @@
+//! Where textures are on the device, and what was done to make them fit.
+
+use bevy_ecs::prelude::*;
+use glam::UVec2;
+
+use crate::components::Texture;
+use crate::layout::texture::TextureRecord;
+
+/// Where a texture is: by the order of names of those that are used.
+#[derive(Component, Clone, Debug)]
+pub struct TextureSlot {
+    /// Of its record.
+    pub index: u32,
+    /// With its first word.
+    pub record: TextureRecord,
+    /// Words of it.
+    pub words: u32,
+    /// Levels, from the first, that are left out.
+    pub halvings: u32,
+    /// What the words were made from.
+    pub source: Texture,
+    /// The largest channel of any texel.
+    pub brightest: f32,
+}
+
+/// What all textures come to.
+#[derive(Resource, Default, Clone, Debug, PartialEq)]
+pub struct Textures {
+    /// Of each record, the largest channel of any texel.
+    pub brightest: Vec<f32>,
+    pub uses: Vec<TextureUse>,
+}
+
+/// What one texture takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TextureUse {
+    pub name: String,
+    /// Texels of the picture.
+    pub size: UVec2,
+    /// How often it is halved, for a setting or for want of room.
+    pub halvings: u32,
+    /// How many of these times for want of room.
+    pub for_room: u32,
+    pub bytes: u64,
+}
