@@ -187,7 +187,7 @@ impl Room {
     /// Exponent of a film for this scene.
     pub fn exponent(&self) -> i32 {
         let brightest = self.environment.max(Vec3::splat(self.sky.as_ref().map_or(0.0, |sky| sky.brightest)));
-        film_exponent(trace::largest_emission(&self.materials, brightest))
+        film_exponent(trace::largest_emission(&self.materials, &[], &[], brightest))
     }
 
     pub fn features(&self) -> Vec<&'static str> {
@@ -196,7 +196,7 @@ impl Room {
         let lights = !self.lights().lights.is_empty();
         let sobol = self.sampler == Source::Sobol;
         let (sky, sky_light) = (self.sky.is_some(), self.sky_power() > 0.0);
-        trace::Needs { materials, environment, sky, sky_light, normals, roulette, lights, sobol }.features()
+        trace::Needs { materials, maps: &[], environment, sky, sky_light, normals, roulette, lights, sobol }.features()
     }
 
     /// Uploads the scene and its tree, and switches its features on.
