@@ -18,6 +18,8 @@ pub struct LightSample {
     pub radiance: DVec3,
     /// Index of the light's triangle in scene order; none for the sky.
     pub triangle: Option<u32>,
+    /// Weights of its second and third corner.
+    pub weights: [f64; 2],
 }
 
 /// What light is sampled from: there are lights, or the sky has power.
@@ -36,7 +38,7 @@ impl LightSampler<'_> {
             Some(sky) if self.lights.lights.is_empty() || pick >= self.light_share => {
                 let SkySample { direction, pdf, radiance, .. } = draw_sky(sky, u);
                 let pdf = pdf * self.sky_share();
-                LightSample { direction, pdf, radiance, triangle: None }
+                LightSample { direction, pdf, radiance, triangle: None, weights: [0.0; 2] }
             }
             _ => {
                 let drawn = draw_light(self.lights, position, pick / self.light_share, u);
@@ -83,6 +85,7 @@ fn draw_light(table: &LightTable, position: DVec3, pick: f64, u: DVec2) -> Light
         pdf: if lit { pdf } else { 0.0 },
         radiance: light.emission.as_dvec3(),
         triangle: Some(light.triangle),
+        weights: weights.to_array(),
     }
 }
 

@@ -15,6 +15,8 @@ pub mod rng;
 pub mod rng_sobol;
 pub mod sky;
 pub mod sort;
+pub mod texture;
+pub mod textured;
 pub mod traverse;
 pub mod tree;
 pub mod tree_check;

@@ -1,19 +1,25 @@
 //! The path kernel in f64, small and plain: the judge of `passes/trace/path`. The same estimator on the same random
 //! numbers, so that the two can be compared path by path.
 
-use glam::{DVec2, DVec3, UVec2};
+use glam::{DVec2, DVec3, DVec4, UVec2, UVec4};
 
 use super::bsdf::dielectric::Interface;
 use super::bsdf::{Reflection, ShadingFrame};
 use super::connect::{LightSample, LightSampler, power_heuristic};
-use super::rng::{Source, sample_key};
+use super::pcg4d::pcg4d;
+use super::rng::{Source, random_words, sample_key, unit};
 use super::sky::sky_arriving;
+use super::texture::{TexturePoint, TextureSet};
+use super::textured::Cone;
 use super::triangles::{HitF64, TriangleSet};
 use crate::layout::light::LightTable;
 use crate::layout::sky::SkyTable;
+use crate::layout::texture::{
+    CUTOUT_DIMENSIONS, MaterialMaps, POINT, TEXTURE_DIMENSIONS, TEXTURE_DIMENSIONS_PER_BOUNCE,
+};
 use crate::layout::trace::{
     DIMENSIONS_PER_BOUNCE, LEAST_FACING, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE,
-    SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, Shading, TraceParams,
+    SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, SampleKey, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -31,6 +37,9 @@ pub struct PathScene<'a> {
     pub lights: Option<LightTable>,
     /// A picture of the sky, in place of the constant environment; sampled as the lights are.
     pub sky: Option<&'a SkyTable>,
+    pub textures: TextureSet<'a>,
+    /// Material of each triangle, in scene order: where lights have maps.
+    pub materials_of: Vec<u32>,
 }
 
 /// One sample of one pixel.
@@ -52,6 +61,8 @@ impl<'a> PathScene<'a> {
             sampler: Source::Pcg,
             lights: None,
             sky: None,
+            textures: TextureSet::default(),
+            materials_of: triangles.iter().map(|triangle| triangle.material).collect(),
         }
     }
 
@@ -63,26 +74,29 @@ impl<'a> PathScene<'a> {
         let mut throughput = DVec3::ONE;
         let mut pdf = 0.0;
         let mut eta_scale = 1.0;
+        let mut cone = Cone { width: 0.0, spread: params.cone_spread.into() };
         let sampler = self.light_sampler(params);
         let mut traced = Traced::default();
         for bounce in 0..params.max_depth {
-            traced.rays += 1;
-            // Hits are within 1e-15 of the scene's size, so this leaves out the surface the ray starts on, and it alone.
-            let Some(hit) = self.triangles.closest(origin, direction, 1e-9) else {
+            let Some(hit) = self.first_hit(origin, direction, key, &mut traced.rays) else {
                 let sky = self.sky.map_or(params.environment.as_dvec3(), |sky| sky_arriving(sky, direction).0);
                 let other = sampler.as_ref().and_then(|sampler| sampler.sky_pdf(direction));
                 traced.radiance += throughput * sky * weight_of_finding(pdf, other);
                 break;
             };
             let material = &self.materials[hit.triangle.material as usize];
-            let frame = self.frame(&hit, -direction);
+            let [a, b, c] = hit.triangle.corners;
+            let area_normal = (b - a).cross(c - a);
+            let texturing = self.texturing(&hit, cone, area_normal, direction, (key, bounce));
+            let frame = self.frame(&hit, -direction, &texturing);
             if !(frame.back_face && material.flags & MATERIAL_ONE_SIDED != 0) {
-                let [a, b, c] = hit.triangle.corners;
-                let area_normal = (b - a).cross(c - a);
                 let pdf_of =
                     |sampler: &LightSampler| sampler.light_pdf(hit.triangle.index, area_normal, direction, hit.t);
                 let weight = weight_of_finding(pdf, sampler.as_ref().and_then(pdf_of));
-                traced.radiance += throughput * material.emission.as_dvec3() * weight;
+                let width = if pdf > 0.0 { f64::from(POINT) } else { texturing.point.width };
+                let point = TexturePoint { width, ..texturing.point };
+                let part = self.emission_part(&texturing.maps, point, texturing.others.y);
+                traced.radiance += throughput * material.emission.as_dvec3() * part * weight;
             }
             if bounce + 1 == params.max_depth {
                 break;
@@ -91,16 +105,18 @@ impl<'a> PathScene<'a> {
             let first = bounce * DIMENSIONS_PER_BOUNCE;
             let [light, lobe, roulette, _] = self.sampler.sample_4d(key, first + SLOT_CHOICES).to_array();
             let point = self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT);
-            let connection =
-                sampler.as_ref().map(|sampler| self.connect(sampler, material, &frame, position, (light, point)));
-            if let Some(light) = connection.filter(|connection| connection.light != DVec3::ZERO) {
-                traced.rays += 1;
-                if self.sees(position, &light.from) {
-                    traced.radiance += throughput * light.light;
-                }
+            let surface =
+                self.textures.textured(Reflection::from(material), &texturing.maps, texturing.point, texturing.colours);
+            let connection = sampler
+                .as_ref()
+                .map(|sampler| self.connect(sampler, &surface, &frame, position, (light, point, texturing.others.z)));
+            if let Some(light) = connection.filter(|connection| connection.light != DVec3::ZERO)
+                && self.sees(position, &light.from, key, &mut traced.rays)
+            {
+                traced.radiance += throughput * light.light;
             }
             let u = self.sampler.sample_2d(key, first + SLOT_DIRECTION);
-            let drawn = Reflection::from(material).sample(&frame, lobe, u);
+            let drawn = surface.sample(&frame, lobe, u);
             if drawn.weight.max_element() <= 0.0 {
                 break;
             }
@@ -113,20 +129,70 @@ impl<'a> PathScene<'a> {
                 }
                 throughput /= survival;
             }
+            let curvature = self.textures.uvs.get(hit.triangle.index as usize).map_or(0.0, |uvs| uvs.curvature.into());
+            cone = cone.spread_by(hit.t, curvature, &frame, &drawn, params.cone_part.into());
             origin = position;
             (direction, pdf) = (drawn.direction, drawn.pdf);
         }
         traced
     }
 
-    fn frame(&self, hit: &HitF64, wo: DVec3) -> ShadingFrame {
+    /// What a ray hits first, of what is there for it. Hits are within 1e-15 of the scene's size, so 1e-9 leaves out the surface the ray
+    /// starts on, and it alone.
+    fn first_hit(&self, origin: DVec3, direction: DVec3, key: SampleKey, rays: &mut u32) -> Option<HitF64<'_>> {
+        let chance = random_words(key, CUTOUT_DIMENSIONS + *rays).x | 1;
+        *rays += 1;
+        let is_there = |hit: &HitF64| {
+            let triangle = hit.triangle.index;
+            let words = pcg4d(UVec4::new(chance, triangle, CUTOUT_STREAM, 0));
+            self.textures.is_there(hit.triangle.material, triangle, hit.b, [unit(words.x), unit(words.y)])
+        };
+        match self.textures.maps.is_empty() {
+            true => self.triangles.closest(origin, direction, 1e-9),
+            false => self.triangles.closest_of(origin, direction, 1e-9, is_there),
+        }
+    }
+
+    /// What is known of a hit before a texel is looked up.
+    fn texturing(
+        &self,
+        hit: &HitF64,
+        cone: Cone,
+        area_normal: DVec3,
+        direction: DVec3,
+        (key, bounce): (SampleKey, u32),
+    ) -> Texturing {
+        let maps = self.textures.maps(hit.triangle.material);
+        let width = cone.footprint(hit.t, area_normal.normalize().dot(direction));
+        let point = self.textures.point(hit.triangle.index, hit.b, width);
+        let first = TEXTURE_DIMENSIONS + bounce * TEXTURE_DIMENSIONS_PER_BOUNCE;
+        let [colours, others] = [first, first + 4].map(|dimension| self.sampler.sample_4d(key, dimension));
+        Texturing { maps, point, colours, others }
+    }
+
+    /// What a map multiplies emission by.
+    fn emission_part(&self, maps: &MaterialMaps, point: TexturePoint, u: f64) -> DVec3 {
+        if maps.emission == 0 { DVec3::ONE } else { self.textures.colour(maps.emission, point, u) }
+    }
+
+    fn frame(&self, hit: &HitF64, wo: DVec3, texturing: &Texturing) -> ShadingFrame {
         let [a, b, c] = hit.triangle.corners;
-        let area_normal = (b - a).cross(c - a).normalize();
-        let back_face = area_normal.dot(wo) < 0.0;
-        let geometric = if back_face { -area_normal } else { area_normal };
+        let front = (b - a).cross(c - a).normalize();
+        let back_face = front.dot(wo) < 0.0;
+        let geometric = if back_face { -front } else { front };
+        let facing = |n: DVec3, side: DVec3| if n.dot(side) < 0.0 { -n } else { n };
         let smooth = self.shading.get(hit.triangle.index as usize).and_then(|n| smooth_normal(n, hit.b));
-        let shading =
-            smooth.map_or(geometric, |n| bent_to_viewer(if n.dot(geometric) < 0.0 { -n } else { n }, geometric, wo));
+        let n = smooth.unwrap_or(front);
+        let Texturing { maps, point, others, .. } = texturing;
+        let shading = if maps.relief != 0 {
+            let bent = self.textures.relieved(maps, *point, hit.triangle.index, hit.b, n, others.x);
+            let seen = if n.dot(geometric) < 0.0 { -bent } else { bent };
+            bent_to_viewer(bent_to_viewer(seen, facing(n, geometric), geometric), geometric, wo)
+        } else if smooth.is_some() {
+            bent_to_viewer(facing(n, geometric), geometric, wo)
+        } else {
+            geometric
+        };
         ShadingFrame { wo, shading, geometric, back_face }
     }
 
@@ -142,22 +208,31 @@ impl<'a> PathScene<'a> {
     fn connect(
         &self,
         sampler: &LightSampler,
-        material: &MaterialRecord,
+        surface: &Reflection,
         frame: &ShadingFrame,
         position: DVec3,
-        (pick, point): (f64, DVec2),
+        (pick, point, texel): (f64, DVec2, f64),
     ) -> Connection {
-        let from = sampler.draw(position, pick, point);
+        let mut from = sampler.draw(position, pick, point);
+        if let Some(triangle) = from.triangle {
+            let material = self.materials_of[triangle as usize];
+            let maps = self.textures.maps(material);
+            if maps.emission != 0 {
+                let point = self.textures.point(triangle, from.weights, POINT.into());
+                let emission = self.materials[material as usize].emission.as_dvec3();
+                from.radiance = emission * self.emission_part(&maps, point, texel);
+            }
+        }
         let above = from.direction.dot(frame.shading) > 0.0 && from.direction.dot(frame.geometric) > 0.0;
-        let at = Reflection::from(material).evaluate(frame, from.direction);
+        let at = surface.evaluate(frame, from.direction);
         let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
         let share = if counts { power_heuristic(from.pdf, at.pdf) / from.pdf } else { 0.0 };
         Connection { from, light: at.value * from.radiance * share }
     }
 
     /// Whether the first thing in the direction of a light is that light.
-    fn sees(&self, position: DVec3, light: &LightSample) -> bool {
-        let hit = self.triangles.closest(position, light.direction, 1e-9);
+    fn sees(&self, position: DVec3, light: &LightSample, key: SampleKey, rays: &mut u32) -> bool {
+        let hit = self.first_hit(position, light.direction, key, rays);
         hit.map(|hit| hit.triangle.index) == light.triangle
     }
 }
@@ -173,6 +248,17 @@ fn eta_squared(material: &MaterialRecord, frame: &ShadingFrame, direction: DVec3
     let crosses = material.flags & MATERIAL_DIELECTRIC != 0 && direction.dot(frame.geometric) < 0.0;
     if crosses { Interface::new(f64::from(material.ni), frame.back_face).eta_squared() } else { 1.0 }
 }
+
+/// What is known of a hit before a texel is looked up, and the numbers that draw texels.
+struct Texturing {
+    maps: MaterialMaps,
+    point: TexturePoint,
+    colours: DVec4,
+    others: DVec4,
+}
+
+/// Sets the hashes that decide about holes off from those of other numbers.
+const CUTOUT_STREAM: u32 = 0x6375_7400;
 
 /// A sampled light.
 struct Connection {

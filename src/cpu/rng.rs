@@ -62,10 +62,12 @@ pub fn sample_2d(key: SampleKey, dimension: u32) -> DVec2 {
     DVec2::new(unit(words.x), unit(words.y))
 }
 
-fn random_words(key: SampleKey, dimension: u32) -> UVec4 {
+/// Words of PCG.
+pub fn random_words(key: SampleKey, dimension: u32) -> UVec4 {
     pcg4d(UVec4::new(key.pixel, key.index.wrapping_mul(2).wrapping_add(key.half), dimension, key.seed))
 }
 
-fn unit(word: u32) -> f64 {
+/// A number in [0, 1), a multiple of 2^-24.
+pub fn unit(word: u32) -> f64 {
     f64::from(word >> 8) / f64::from(1 << 24)
 }

@@ -77,6 +77,17 @@ impl TriangleSet {
 
     /// The hit of least (t, triangle) of those with t above `t_min`.
     pub fn closest(&self, origin: DVec3, direction: DVec3, t_min: f64) -> Option<HitF64<'_>> {
+        self.closest_of(origin, direction, t_min, |_| true)
+    }
+
+    /// The same of those hits that are there.
+    pub fn closest_of(
+        &self,
+        origin: DVec3,
+        direction: DVec3,
+        t_min: f64,
+        is_there: impl Fn(&HitF64) -> bool,
+    ) -> Option<HitF64<'_>> {
         let mut best: Option<HitF64> = None;
         let mut stack = vec![0; usize::from(!self.nodes.is_empty())];
         while let Some(index) = stack.pop() {
@@ -92,6 +103,7 @@ impl TriangleSet {
                 if let Some(hit) = intersect(triangle, origin, direction)
                     && hit.t > t_min
                     && best.is_none_or(|old| (hit.t, hit.triangle.index) < (old.t, old.triangle.index))
+                    && is_there(&hit)
                 {
                     best = Some(hit);
                 }

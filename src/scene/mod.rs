@@ -40,5 +40,6 @@ pub use find::{find, names};
 pub use keys::{Colour, KEYS, Key, Range, Value};
 pub use load::{Loaded, attempt, load};
 pub use mtl::{Appearance, MtlMaterial, TextureMap, TextureMaps};
+pub use textures::{MapUse, name as texture_name};
 pub use triangulate::triangulate;
 pub use unseen::unseen_by;

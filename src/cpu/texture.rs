@@ -1,0 +1,138 @@
+//! Lookups of textures in f64, on the words and random numbers of the kernel: the twin of `lib/texture` and `passes/trace/textures`.
+
+use glam::{DVec2, DVec3, DVec4, UVec2};
+
+use crate::image::srgb::srgb_decode;
+use crate::layout::texture::{
+    CornerUvs, MaterialMaps, POINT, TEXEL_KIND, TEXEL_R8, TEXEL_R16, TEXEL_RGBA8, TEXEL_RGBA16F, TEXTURE_CHANNEL_SHIFT,
+    TEXTURE_CLAMP_U, TEXTURE_CLAMP_V, TEXTURE_SRGB, Tangents, TextureRecord, texel_index,
+};
+use crate::layout::trace::luminance;
+
+/// All that the kernel gets of textures; empty where there are none.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct TextureSet<'a> {
+    pub records: &'a [TextureRecord],
+    pub words: &'a [u32],
+    /// Of the materials.
+    pub maps: &'a [MaterialMaps],
+    /// Of the triangles, in scene order, as are the next two.
+    pub uvs: &'a [CornerUvs],
+    pub tangents: &'a [Tangents],
+    pub mean_emission: &'a [f32],
+}
+
+/// A point of a surface as textures see it.
+#[derive(Clone, Copy, Debug)]
+pub struct TexturePoint {
+    /// v up.
+    pub uv: DVec2,
+    /// Binary logarithm of the footprint's width, in texture coordinates.
+    pub width: f64,
+}
+
+/// A texel: its level, and column and row in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TexelPlace {
+    pub level: u32,
+    pub at: UVec2,
+}
+
+impl<'a> TextureSet<'a> {
+    /// The textures of a material.
+    pub fn maps(&self, material: u32) -> MaterialMaps {
+        self.maps.get(material as usize).copied().unwrap_or_default()
+    }
+
+    /// The point of a triangle with weights of its second and third corner, and a footprint of such a binary logarithm, scene units.
+    pub fn point(&self, triangle: u32, b: [f64; 2], width: f64) -> TexturePoint {
+        let corners = self.uvs.get(triangle as usize).copied().unwrap_or_default();
+        let uv = corners.a.as_dvec2() + b[0] * corners.b.as_dvec2() + b[1] * corners.c.as_dvec2();
+        TexturePoint { uv, width: width + f64::from(corners.density) }
+    }
+
+    /// The record of a map, which is not none.
+    pub fn record(&self, map: u32) -> &'a TextureRecord {
+        &self.records[map as usize - 1]
+    }
+
+    /// A colour of a map.
+    pub fn colour(&self, map: u32, point: TexturePoint, u: f64) -> DVec3 {
+        let t = self.record(map);
+        let texel = self.texel(t, draw_texel(t, point, u)).truncate();
+        (f64::from(t.base) + f64::from(t.gain) * texel).max(DVec3::ZERO)
+    }
+
+    /// A number of a map.
+    pub fn number(&self, map: u32, point: TexturePoint, u: f64) -> f64 {
+        let t = self.record(map);
+        let texel = self.texel(t, draw_texel(t, point, u));
+        let value = match t.format >> TEXTURE_CHANNEL_SHIFT {
+            channel @ 0..4 => texel[channel as usize],
+            _ => f64::from(luminance(texel.truncate().as_vec3())),
+        };
+        (f64::from(t.base) + f64::from(t.gain) * value).max(0.0)
+    }
+
+    /// A texel, decoded.
+    pub fn texel(&self, t: &TextureRecord, place: TexelPlace) -> DVec4 {
+        let index = texel_index(place.at, t.level_size(place.level).x);
+        let first = t.first + self.words[(t.first + place.level) as usize];
+        let word = |offset: u32| self.words[(first + offset) as usize];
+        let byte = |word: u32, number: u32| f64::from(word >> (8 * number) & 0xff) / 255.0;
+        let grey = |value: f64| DVec4::new(value, value, value, 1.0);
+        let texel = match t.format & TEXEL_KIND {
+            TEXEL_RGBA8 => DVec4::from_array([0, 1, 2, 3].map(|number| byte(word(index), number))),
+            TEXEL_R8 => grey(byte(word(index / 4), index % 4)),
+            TEXEL_R16 => grey(f64::from(word(index / 2) >> (16 * (index % 2)) & 0xffff) / 65_535.0),
+            TEXEL_RGBA16F => {
+                let [r, g] = halves(word(2 * index));
+                let [b, a] = halves(word(2 * index + 1));
+                DVec4::new(r, g, b, a)
+            }
+            _ => {
+                let [u, v] = halves(word(index));
+                DVec4::new(u, v, 0.0, 1.0)
+            }
+        };
+        match t.format & TEXTURE_SRGB {
+            0 => texel,
+            _ => texel.truncate().map(srgb_decode).extend(texel.w),
+        }
+    }
+
+    /// Whether a point of a triangle with holes is there, by two numbers in [0, 1).
+    pub fn is_there(&self, material: u32, triangle: u32, b: [f64; 2], u: [f64; 2]) -> bool {
+        let maps = self.maps(material);
+        let point = |set: &Self| set.point(triangle, b, f64::from(POINT));
+        maps.opacity == 0 || u[1] < f64::from(maps.coverage) * self.number(maps.opacity, point(self), u[0])
+    }
+}
+
+/// Two f16 of a word, the lower first.
+fn halves(word: u32) -> [f64; 2] {
+    [word, word >> 16].map(|bits| half::f16::from_bits(bits as u16).to_f64())
+}
+
+/// A texel for a point, by one number: the level and the texel are drawn with the weights of trilinear filtering.
+pub fn draw_texel(t: &TextureRecord, point: TexturePoint, u: f64) -> TexelPlace {
+    let mut rest = u;
+    let mut second = |weight: f64| {
+        let second = rest < weight;
+        rest = if second { rest / weight } else { (rest - weight) / (1.0 - weight) };
+        u32::from(second)
+    };
+    let lod = (point.width + f64::from(t.density)).clamp(0.0, f64::from(t.levels - 1));
+    let level = lod as u32 + second(lod.fract());
+    let size = t.level_size(level);
+    let clamps = [t.format & TEXTURE_CLAMP_U != 0, t.format & TEXTURE_CLAMP_V != 0];
+    let at = point.uv * t.scale.as_dvec2() + t.offset.as_dvec2();
+    let mut axis = |axis: usize| {
+        let most = i64::from(size[axis]);
+        let within = if clamps[axis] { at[axis].clamp(0.0, 1.0) } else { at[axis] - at[axis].floor() };
+        let place = within * most as f64 - 0.5;
+        let texel = place.floor() as i64 + i64::from(second(place - place.floor()));
+        if clamps[axis] { texel.clamp(0, most - 1) as u32 } else { texel.rem_euclid(most) as u32 }
+    };
+    TexelPlace { level, at: UVec2::new(axis(0), axis(1)) }
+}
