@@ -8,6 +8,7 @@ use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2};
 use lucerna::Engine;
 use lucerna::components::{Camera, Crop, Film, Material};
+use lucerna::cpu::texture::TextureSet;
 use lucerna::cpu::tree::Tree;
 use lucerna::cpu::view::ViewScene;
 use lucerna::gpu::GpuTable;
@@ -56,7 +57,7 @@ fn twin(world: &World, mode: ViewMode) -> Vec<u32> {
     let tree = Tree { leaves: device.read_some("leaves", count as usize).unwrap(), nodes };
     let shading: Vec<Shading> =
         if geometry.normals { device.read_some("shading", count as usize).unwrap() } else { Vec::new() };
-    let seen = ViewScene { tree: &tree, materials, shading: &shading, fma };
+    let seen = ViewScene { tree: &tree, materials, shading: &shading, textures: TextureSet::default(), fma };
     seen.view(&view_params(geometry, shot, mode))
 }
 

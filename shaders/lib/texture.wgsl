@@ -43,7 +43,7 @@ fn pick_of_two(weight: f32, u: f32) -> Pick {
 
 // A texel for a point, by one number.
 fn draw_texel(t: TextureRecord, point: TexturePoint, u: f32) -> TexelPlace {
-    let lod = clamp(point.width + t.density, 0.0, f32(t.levels - 1u));
+    let lod = level_of(t, point);
     let coarser = pick_of_two(lod - floor(lod), u);
     let level = u32(lod) + u32(coarser.second);
     let first = vec2<u32>((t.size & 0xffffu) + 1u, (t.size >> 16u) + 1u);
@@ -83,4 +83,15 @@ fn two_halves(word: u32) -> vec2<f32> {
     let bits = vec2<u32>(word & 0xffffu, word >> 16u);
     let magnitude = bitcast<vec2<f32>>((bits & vec2<u32>(0x7fffu)) << vec2<u32>(13u)) * 0x1p112;
     return select(magnitude, -magnitude, (bits & vec2<u32>(0x8000u)) != vec2<u32>(0u));
+}
+
+// The texel of the whole picture that a point is in.
+fn nearest_texel(t: TextureRecord, point: TexturePoint) -> TexelPlace {
+    let size = vec2<u32>((t.size & 0xffffu) + 1u, (t.size >> 16u) + 1u);
+    return TexelPlace(0u, min(vec2<u32>(point_in_picture(t, point) * vec2<f32>(size)), size - 1u), size);
+}
+
+// The level that a footprint asks for.
+fn level_of(t: TextureRecord, point: TexturePoint) -> f32 {
+    return clamp(point.width + t.density, 0.0, f32(t.levels - 1u));
 }

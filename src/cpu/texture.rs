@@ -122,17 +122,40 @@ pub fn draw_texel(t: &TextureRecord, point: TexturePoint, u: f64) -> TexelPlace 
         rest = if second { rest / weight } else { (rest - weight) / (1.0 - weight) };
         u32::from(second)
     };
-    let lod = (point.width + f64::from(t.density)).clamp(0.0, f64::from(t.levels - 1));
+    let lod = level_of(t, point);
     let level = lod as u32 + second(lod.fract());
     let size = t.level_size(level);
-    let clamps = [t.format & TEXTURE_CLAMP_U != 0, t.format & TEXTURE_CLAMP_V != 0];
-    let at = point.uv * t.scale.as_dvec2() + t.offset.as_dvec2();
+    let clamps = clamps(t);
+    let at = point_in_picture(t, point);
     let mut axis = |axis: usize| {
         let most = i64::from(size[axis]);
-        let within = if clamps[axis] { at[axis].clamp(0.0, 1.0) } else { at[axis] - at[axis].floor() };
-        let place = within * most as f64 - 0.5;
+        let place = at[axis] * most as f64 - 0.5;
         let texel = place.floor() as i64 + i64::from(second(place - place.floor()));
         if clamps[axis] { texel.clamp(0, most - 1) as u32 } else { texel.rem_euclid(most) as u32 }
     };
     TexelPlace { level, at: UVec2::new(axis(0), axis(1)) }
+}
+
+/// The level that a footprint asks for.
+pub fn level_of(t: &TextureRecord, point: TexturePoint) -> f64 {
+    (point.width + f64::from(t.density)).clamp(0.0, f64::from(t.levels - 1))
+}
+
+/// The texel of the whole picture that a point is in.
+pub fn nearest_texel(t: &TextureRecord, point: TexturePoint) -> TexelPlace {
+    let size = t.level_size(0);
+    TexelPlace { level: 0, at: (point_in_picture(t, point) * size.as_dvec2()).as_uvec2().min(size - 1) }
+}
+
+/// Whether the picture does not repeat, along u and v.
+fn clamps(t: &TextureRecord) -> [bool; 2] {
+    [TEXTURE_CLAMP_U, TEXTURE_CLAMP_V].map(|flag| t.format & flag != 0)
+}
+
+/// The point in the picture, from its upper left corner: within it, each side 0 to 1.
+fn point_in_picture(t: &TextureRecord, point: TexturePoint) -> DVec2 {
+    let at = point.uv * t.scale.as_dvec2() + t.offset.as_dvec2();
+    let [u, v] = clamps(t);
+    let within = |at: f64, clamps: bool| if clamps { at.clamp(0.0, 1.0) } else { at - at.floor() };
+    DVec2::new(within(at.x, u), within(at.y, v))
 }

@@ -4,14 +4,18 @@ use glam::{DVec3, UVec2, Vec3};
 
 use super::intersect::{Fma, triangle_normal};
 use super::path::smooth_normal;
-use super::traverse::closest_hit;
+use super::texture::{TextureSet, level_of, nearest_texel};
+use super::textured::Cone;
+use super::traverse::closest_hit_of;
 use super::tree::Tree;
 use crate::image::srgb::srgb_byte;
 use crate::layout::ray::{Hit, NO_HIT, Ray, T_FAR};
+use crate::layout::texture::{POINT, TEXEL_KIND, TEXEL_SLOPES};
 use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
 use crate::layout::tree::Triangle;
 use crate::layout::view::{
-    VIEW_ALBEDO, VIEW_COST, VIEW_DEPTH, VIEW_MATERIAL, VIEW_MOST_STEPS, VIEW_NORMAL, ViewParams,
+    VIEW_ALBEDO, VIEW_COST, VIEW_DEPTH, VIEW_LEVEL, VIEW_MATERIAL, VIEW_MOST_LEVELS, VIEW_MOST_STEPS, VIEW_NORMAL,
+    VIEW_TEXEL, VIEW_UV, ViewParams,
 };
 
 /// A scene as the pass gets it.
@@ -20,6 +24,7 @@ pub struct ViewScene<'a> {
     pub materials: &'a [MaterialRecord],
     /// In scene order; empty: geometric normals everywhere.
     pub shading: &'a [Shading],
+    pub textures: TextureSet<'a>,
     pub fma: Fma,
 }
 
@@ -42,7 +47,9 @@ impl ViewScene<'_> {
     }
 
     fn seen(&self, params: &ViewParams, ray: &Ray) -> u32 {
-        let hit = closest_hit(self.fma, ray, self.tree);
+        let hit = closest_hit_of(self.fma, ray, self.tree, &|triangle, hit| {
+            self.textures.is_there(triangle.material, triangle.index, weights(hit), [0.5; 2])
+        });
         if hit.triangle == NO_HIT {
             return word([0; 3]);
         }
@@ -50,14 +57,51 @@ impl ViewScene<'_> {
         word(match params.mode {
             VIEW_ALBEDO => {
                 let material = &self.materials[triangle.material as usize];
-                (material.kd + material.ks).to_array().map(|v| srgb_byte(f64::from(v)))
+                let maps = self.textures.maps(triangle.material);
+                let point = self.textures.point(triangle.index, weights(&hit), POINT.into());
+                let part = |map: u32| if map == 0 { DVec3::ONE } else { self.textures.colour(map, point, 0.5) };
+                let (kd, ks) =
+                    (material.kd.as_dvec3() * part(maps.diffuse), material.ks.as_dvec3() * part(maps.specular));
+                (kd + ks).to_array().map(srgb_byte)
             }
             VIEW_NORMAL => self.normal(triangle, &hit, ray.direction).to_array().map(|v| code(0.5 * v + 0.5)),
             VIEW_DEPTH => [code(f64::from(params.reach) / (f64::from(params.reach) + f64::from(hit.t))); 3],
             VIEW_MATERIAL => material_colour(triangle.material),
-            VIEW_COST => heat(hit.steps),
+            VIEW_COST => heat(hit.steps, VIEW_MOST_STEPS),
+            VIEW_UV if !self.textures.maps.is_empty() => {
+                let uv = self.textures.point(triangle.index, weights(&hit), POINT.into()).uv;
+                [code(uv.x - uv.x.floor()), code(uv.y - uv.y.floor()), 0]
+            }
+            VIEW_TEXEL if self.first_map(triangle) != 0 => self.texel(triangle, &hit),
+            VIEW_LEVEL if self.first_map(triangle) != 0 => {
+                heat((self.level(params, triangle, &hit, ray.direction) * 64.0) as u32, 64 * VIEW_MOST_LEVELS)
+            }
             _ => [0; 3],
         })
+    }
+
+    fn first_map(&self, triangle: &Triangle) -> u32 {
+        self.textures.maps(triangle.material).first()
+    }
+
+    /// The texel of the first map, as light; slopes are shown about a grey.
+    fn texel(&self, triangle: &Triangle, hit: &Hit) -> [u8; 3] {
+        let t = self.textures.record(self.first_map(triangle));
+        let place = nearest_texel(t, self.textures.point(triangle.index, weights(hit), POINT.into()));
+        let texel = self.textures.texel(t, place).truncate();
+        let slopes = t.format & TEXEL_KIND == TEXEL_SLOPES;
+        let shown = if slopes { 0.5 + 0.5 * f64::from(t.gain) * texel } else { texel };
+        shown.to_array().map(srgb_byte)
+    }
+
+    /// The level of the first map that the camera's footprint asks for.
+    fn level(&self, params: &ViewParams, triangle: &Triangle, hit: &Hit, direction: Vec3) -> f64 {
+        let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(Vec3::as_dvec3);
+        let slant = (b - a).cross(c - a).normalize_or_zero().dot(direction.as_dvec3());
+        let cone = Cone { width: 0.0, spread: params.trace_params.cone_spread.into() };
+        let footprint = cone.footprint(hit.t.into(), slant);
+        let t = self.textures.record(self.first_map(triangle));
+        level_of(t, self.textures.point(triangle.index, weights(hit), footprint))
     }
 
     fn normal(&self, triangle: &Triangle, hit: &Hit, direction: Vec3) -> DVec3 {
@@ -67,6 +111,10 @@ impl ViewScene<'_> {
         let smooth = corners.and_then(|corners| smooth_normal(corners, [f64::from(hit.b1), f64::from(hit.b2)]));
         smooth.map_or(geometric, |n| if n.dot(geometric) < 0.0 { -n } else { n })
     }
+}
+
+fn weights(hit: &Hit) -> [f64; 2] {
+    [hit.b1.into(), hit.b2.into()]
 }
 
 fn word([r, g, b]: [u8; 3]) -> u32 {
@@ -86,7 +134,7 @@ fn material_colour(index: u32) -> [u8; 3] {
 }
 
 /// From black by red and yellow to white.
-fn heat(steps: u32) -> [u8; 3] {
-    let v = steps.min(VIEW_MOST_STEPS) * 768 / VIEW_MOST_STEPS;
+fn heat(part: u32, most: u32) -> [u8; 3] {
+    let v = part.min(most) * 768 / most;
     [0, 256, 512].map(|from| v.saturating_sub(from).min(255) as u8)
 }

@@ -3,19 +3,23 @@
 //! Plain functions, no system: they ask the device, and change nothing in the world.
 
 use bevy_ecs::prelude::*;
-use glam::UVec2;
+use glam::{UVec2, Vec3};
 
 use super::film::progress;
 use crate::components::{Name, UsesMaterial};
 use crate::cpu::film::pixel_mean;
+use crate::cpu::texture::{TextureSet, level_of, nearest_texel};
+use crate::cpu::textured::Cone;
 use crate::cpu::view::middle_ray;
 use crate::gpu::GpuTable;
 use crate::layout::film::FilmPixel;
 use crate::layout::ray::{Hit, NO_HIT};
+use crate::layout::texture::{CornerUvs, MaterialMaps, TextureRecord};
+use crate::layout::trace::TraceParams;
 use crate::layout::tree::Triangle;
 use crate::passes::{Recording, extend};
 use crate::systems::EngineError;
-use crate::systems::resources::{Device, MeshSlot, SceneGeometry, Shot};
+use crate::systems::resources::{Device, MeshSlot, SceneGeometry, Shot, Texel, Textures};
 
 /// A pixel, looked at closely.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,12 +37,30 @@ pub struct Inspected {
 }
 
 /// Something that a ray hit.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
     /// Name of the mesh.
     pub mesh: String,
     /// Name of its material; none if it has the default one.
     pub material: Option<String>,
+    /// Where it is in pictures, v up; none where the material looks nothing up.
+    pub uv: Option<[f64; 2]>,
+    pub texels: Vec<LookedUp>,
+}
+
+/// A texel that a surface is looked up at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LookedUp {
+    /// What it multiplies: `diffuse`, `relief` and so on.
+    pub of: &'static str,
+    /// Name of the texture.
+    pub texture: String,
+    /// Column and row in the picture as it is on the device, from the top left.
+    pub texel: UVec2,
+    /// Its red, green, blue and alpha, linear; of heights, by how much they grow along u and v.
+    pub value: [f64; 4],
+    /// The level that the camera's footprint asks for; 0 is the picture.
+    pub level: f64,
 }
 
 /// Looks at a pixel of the picture; none if there is no such pixel, or nothing was traced yet.
@@ -62,7 +84,8 @@ pub fn inspect(world: &mut World, pixel: UVec2) -> Result<Option<Inspected>, Eng
     let hit: Hit = device.read_one("hits", 0)?;
     let (radiance, samples) = pixel_mean(&held, exponent);
     let bad = held.halves.iter().map(|half| half.bad).sum();
-    Ok(Some(Inspected { pixel, radiance, samples, bad, surface: surface_of(world, hit.triangle) }))
+    let surface = surface_of(world, hit.triangle).map(|surface| look_up(world, surface, &shot, pixel, &hit));
+    Ok(Some(Inspected { pixel, radiance, samples, bad, surface }))
 }
 
 /// The mesh that has a triangle, and its material.
@@ -77,5 +100,46 @@ fn surface_of(world: &World, triangle: u32) -> Option<Seen> {
     let mesh = *world.resource::<SceneGeometry>().meshes.iter().find(has)?;
     let name = |entity: Entity| world.get::<Name>(entity).map(|name| name.as_str().to_owned());
     let material = world.get::<UsesMaterial>(mesh).and_then(|uses| name(uses.0));
-    Some(Seen { mesh: name(mesh)?, material })
+    Some(Seen { mesh: name(mesh)?, material, uv: None, texels: Vec::new() })
+}
+
+/// Adds what the surface's textures have where a ray through the middle of a pixel hits it.
+fn look_up(world: &World, surface: Seen, shot: &TraceParams, pixel: UVec2, hit: &Hit) -> Seen {
+    let textures = TextureSet {
+        records: world.resource::<GpuTable<TextureRecord>>().rows(),
+        words: bytemuck::cast_slice(world.resource::<GpuTable<Texel>>().rows()),
+        maps: world.resource::<GpuTable<MaterialMaps>>().rows(),
+        uvs: world.resource::<GpuTable<CornerUvs>>().rows(),
+        ..TextureSet::default()
+    };
+    let Some(triangle) = world.resource::<GpuTable<Triangle>>().rows().get(hit.triangle as usize) else {
+        return surface;
+    };
+    let maps = textures.maps(triangle.material);
+    if !maps.is_textured() {
+        return surface;
+    }
+    let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(Vec3::as_dvec3);
+    let slant = (b - a).cross(c - a).normalize_or_zero().dot(middle_ray(shot, pixel).direction.as_dvec3());
+    let cone = Cone { width: 0.0, spread: shot.cone_spread.into() };
+    let weights = [hit.b1.into(), hit.b2.into()];
+    let point = textures.point(hit.triangle, weights, cone.footprint(hit.t.into(), slant));
+    let uses = &world.resource::<Textures>().uses;
+    let named = [
+        ("diffuse", maps.diffuse),
+        ("specular", maps.specular),
+        ("lobe", maps.lobe),
+        ("metallic", maps.metallic),
+        ("emission", maps.emission),
+        ("opacity", maps.opacity),
+        ("relief", maps.relief),
+    ];
+    let texel = |(of, map): (&'static str, u32)| {
+        let t = textures.record(map);
+        let place = nearest_texel(t, point);
+        let texture = uses.get(map as usize - 1).map_or(String::new(), |used| used.name.clone());
+        LookedUp { of, texture, texel: place.at, value: textures.texel(t, place).to_array(), level: level_of(t, point) }
+    };
+    let texels = named.into_iter().filter(|(_, map)| *map != 0).map(texel).collect();
+    Seen { uv: Some(point.uv.to_array()), texels, ..surface }
 }

@@ -12,9 +12,9 @@ use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2};
 
 pub use crate::systems::EngineError;
-pub use crate::systems::resources::{Spent, TreeBuilder};
+pub use crate::systems::resources::{Spent, TextureUse, TreeBuilder};
 pub use film::FilmImage;
-pub use inspect::{Inspected, Seen};
+pub use inspect::{Inspected, LookedUp, Seen};
 pub use report::Report;
 
 use crate::components::{self, Camera, Film, Render};
@@ -22,7 +22,9 @@ use crate::gpu::{Drawn, Fit, Gpu, Paint, Runtime, Shown, Surface};
 use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
-use crate::systems::resources::{Budget, CompileListener, Device, Frame, Live, SceneGeometry, Shot, Target, Viewed};
+use crate::systems::resources::{
+    Budget, CompileListener, Device, Frame, Live, SceneGeometry, Shot, Target, Textures, Viewed,
+};
 use crate::systems::{self, Entered, Fault, Reload};
 use crate::watch::{Problem, ReloadEvent, Sources, WatchError};
 
@@ -111,6 +113,11 @@ impl Engine {
     /// Samples that every pixel has, and how many it is to have.
     pub fn samples(&self) -> (u32, u32) {
         (film::progress(&self.world).samples, self.world.resource::<Target>().0)
+    }
+
+    /// What the textures take on the device, as they were last extracted, by name.
+    pub fn textures(&self) -> &[TextureUse] {
+        &self.world.resource::<Textures>().uses
     }
 
     /// Has the film start anew in the next step.

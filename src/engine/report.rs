@@ -10,7 +10,7 @@ use crate::gpu::{GpuTable, PassTiming};
 use crate::layout::film::{BAD_LOG, BadSample, FilmCounters};
 use crate::layout::tree::{Triangle, node_count};
 use crate::systems::EngineError;
-use crate::systems::resources::{Device, Shot, Spent};
+use crate::systems::resources::{Device, Shot, Spent, Textures};
 
 /// What the engine did since it opened.
 #[derive(Clone, Debug)]
@@ -19,6 +19,9 @@ pub struct Report {
     pub adapter: String,
     pub triangles: u32,
     pub nodes: u32,
+    /// Textures, and the bytes that they take.
+    pub textures: u32,
+    pub texture_bytes: u64,
     /// Samples of the film, over all pixels.
     pub samples: u64,
     /// Rays of those samples, counted on the GPU.
@@ -42,6 +45,8 @@ pub fn read_report(world: &mut World) -> Result<Report, EngineError> {
     let progress = film::progress(world);
     let spent = *world.resource::<Spent>();
     let triangles = world.resource::<GpuTable<Triangle>>().len() as u32;
+    let uses = &world.resource::<Textures>().uses;
+    let textures = (uses.len() as u32, uses.iter().map(|used| used.bytes).sum());
     let UVec2 { x: width, y: height } = world.resource::<Shot>().size();
     let device = &mut world.resource_mut::<Device>().0;
     let counters = match progress.begun {
@@ -53,6 +58,8 @@ pub fn read_report(world: &mut World) -> Result<Report, EngineError> {
         adapter: device.gpu().name(),
         triangles,
         nodes: node_count(triangles),
+        textures: textures.0,
+        texture_bytes: textures.1,
         samples: u64::from(width) * (u64::from(progress.samples) * u64::from(height) + u64::from(progress.rows)),
         rays: u64::from(counters.rays_hi.0) << 32 | u64::from(counters.rays_lo.0),
         seconds_build: spent.build,

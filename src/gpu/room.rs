@@ -3,6 +3,7 @@
 use crate::layout::alias::AliasColumn;
 use crate::layout::film::FilmPixel;
 use crate::layout::light::LightRecord;
+use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{MaterialRecord, RadianceSample, Shading};
 use crate::layout::tree::Triangle;
 use crate::passes::tree::PLAN;
@@ -17,6 +18,8 @@ enum Grows {
     Triangles,
     Lights,
     Materials,
+    /// Words of textures.
+    Textures,
     Rays,
 }
 
@@ -32,6 +35,12 @@ fn growth(name: &str) -> Option<(Grows, usize)> {
         "shading" => (Grows::Triangles, size_of::<Shading>()),
         "lights" => (Grows::Lights, size_of::<LightRecord>()),
         "materials" => (Grows::Materials, size_of::<MaterialRecord>()),
+        "material_maps" => (Grows::Materials, size_of::<MaterialMaps>()),
+        "textures" => (Grows::Textures, size_of::<TextureRecord>()),
+        "texels" => (Grows::Textures, 4),
+        "uvs" => (Grows::Triangles, size_of::<CornerUvs>()),
+        "tangents" => (Grows::Triangles, size_of::<Tangents>()),
+        "mean_emission" => (Grows::Triangles, 4),
         "rays" | "hits" | "occlusion" => (Grows::Rays, size_of::<crate::layout::ray::Ray>()),
         _ => (Grows::Triangles, tree_growth(name)?),
     })
@@ -67,6 +76,7 @@ pub fn smaller(name: &str) -> &'static str {
         Some(Grows::Triangles) => "use fewer triangles",
         Some(Grows::Lights) => "use fewer triangles that emit",
         Some(Grows::Materials) => "use fewer materials",
+        Some(Grows::Textures) => "use smaller textures (`--texture-size`)",
         Some(Grows::Rays) => "ask for fewer rays",
         None => "use a smaller scene or film",
     }

@@ -126,6 +126,12 @@ impl MaterialMaps {
         self.diffuse | self.specular | self.lobe | self.metallic != 0
     }
 
+    /// The first texture that there is, in the order in which views look for one; 0 is none.
+    pub fn first(&self) -> u32 {
+        let Self { diffuse, specular, emission, relief, opacity, lobe, metallic, .. } = *self;
+        [diffuse, specular, emission, relief, opacity, lobe, metallic].into_iter().find(|map| *map != 0).unwrap_or(0)
+    }
+
     /// Whether there is any texture.
     pub fn is_textured(&self) -> bool {
         self.changes_lobes() || self.emission | self.opacity | self.relief != 0

@@ -13,6 +13,14 @@ gpu_consts! {
     pub const VIEW_MATERIAL: u32 = 4;
     /// Steps of the walk through the tree, from black by red and yellow to white.
     pub const VIEW_COST: u32 = 5;
+    /// Texture coordinates, as they repeat: u red, v green.
+    pub const VIEW_UV: u32 = 6;
+    /// The texel there of the first map that the material has, of the whole picture.
+    pub const VIEW_TEXEL: u32 = 7;
+    /// The level of it that the camera's footprint asks for, from black (the whole picture) by red and yellow to white.
+    pub const VIEW_LEVEL: u32 = 8;
+    /// Levels that are white, and more.
+    pub const VIEW_MOST_LEVELS: u32 = 12;
     /// Steps that are white, and more.
     pub const VIEW_MOST_STEPS: u32 = 64;
 }
@@ -43,16 +51,22 @@ pub enum ViewMode {
     Depth = VIEW_DEPTH,
     Material = VIEW_MATERIAL,
     Cost = VIEW_COST,
+    Uv = VIEW_UV,
+    Texel = VIEW_TEXEL,
+    Level = VIEW_LEVEL,
 }
 
 impl ViewMode {
     /// All of them, with the names that people read.
-    pub const ALL: [(ViewMode, &str); 6] = [
+    pub const ALL: [(ViewMode, &str); 9] = [
         (ViewMode::Beauty, "beauty"),
         (ViewMode::Albedo, "albedo"),
         (ViewMode::Normal, "normals"),
         (ViewMode::Depth, "depth"),
         (ViewMode::Material, "material ids"),
         (ViewMode::Cost, "BVH cost"),
+        (ViewMode::Uv, "texture coordinates"),
+        (ViewMode::Texel, "texels"),
+        (ViewMode::Level, "mip levels"),
     ];
 }

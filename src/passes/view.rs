@@ -1,5 +1,6 @@
 //! What is seen first through the middle of every pixel, as a picture: in place of the film's.
 
+use super::trace::TEXTURED;
 use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::view::ViewParams;
@@ -16,10 +17,10 @@ pub static VIEW: Pass = Pass {
         Binding::read("materials", "array<vec4<u32>>"),
         Binding::write("picture", "array<u32>"),
         Binding::read("shading", "array<Shading>").when(&["normals"]),
-        Binding::read("uvs", "array<vec4<u32>>").when(&["cutout"]),
-        Binding::read("textures", "array<vec4<u32>>").when(&["cutout"]),
-        Binding::read("texels", "array<u32>").when(&["cutout"]),
-        Binding::read("material_maps", "array<vec4<u32>>").when(&["cutout"]),
+        Binding::read("uvs", "array<vec4<u32>>").when(TEXTURED),
+        Binding::read("textures", "array<vec4<u32>>").when(TEXTURED),
+        Binding::read("texels", "array<u32>").when(TEXTURED),
+        Binding::read("material_maps", "array<vec4<u32>>").when(TEXTURED),
     ],
     makes: &[Makes::Picture],
     twin: twin!(view::ViewScene::view),

@@ -118,14 +118,14 @@ pub const RIGHT: &[Edit] = &[
         "half of the looks at lights, twice",
         &[change(
             PATH,
-            "connect(state, surface, choices.light);",
-            "connect(state, surface, fract(2.0 * choices.light));
+            "connect(state, surface, choices);",
+            "connect(state, surface, Choices(fract(2.0 * choices.light), choices.lobe, choices.roulette, choices.texel));
             shaded.connection.light *= select(0.0, 2.0, choices.light < 0.5);",
         )],
     ),
     edit(
         "a light's points by the numbers swapped",
-        &[change(CONNECT, "light_point(light, u)", "light_point(light, u.yx)")],
+        &[change(CONNECT, "light_weights(u);", "light_weights(u.yx);")],
     ),
     edit("directions by the numbers swapped", &[change(MIXTURE, "cosine_angle(u.x), u.y", "cosine_angle(u.y), u.x")]),
     edit(
@@ -173,12 +173,12 @@ fn uniform_area_pdf(params: TraceParams, area_normal: vec3<f32>) -> f32 {
             ),
             change(
                 CONNECT,
-                "light_area_pdf(material.emission, sides, params.light_density)",
+                "light_area_pdf(mean, sides, params.light_density)",
                 "uniform_area_pdf(params, area_normal)",
             ),
             change(
                 CONNECT,
-                "light_area_pdf(light.emission, select(2u, 1u, one_sided), params.light_density)",
+                "light_area_pdf(luminance(light.emission), select(2u, 1u, one_sided), params.light_density)",
                 "uniform_area_pdf(params, area_normal)",
             ),
         ],

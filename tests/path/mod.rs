@@ -13,6 +13,7 @@ use std::collections::BTreeSet;
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::cpu::rng::Source;
 use lucerna::gpu::Runtime;
+use lucerna::layout::texture::MaterialMaps;
 use lucerna::layout::trace::{RadianceSample, SAMPLE_BAD, TraceParams};
 use lucerna::passes::trace::Needs;
 use lucerna::shader::Library;
@@ -35,6 +36,8 @@ fn a_scene_can_ask_for_every_feature_that_the_kernel_names() {
     for sky_light in [false, true] {
         asked.extend(Needs { sky: true, sky_light, ..Needs::default() }.features());
     }
+    let every = MaterialMaps { diffuse: 1, emission: 1, opacity: 1, relief: 1, ..MaterialMaps::default() };
+    asked.extend(Needs { maps: &[every], ..Needs::default() }.features());
     // Of the device, not of the scene.
     asked.insert("software");
     assert_eq!(Vec::from_iter(asked), Vec::from_iter(named));

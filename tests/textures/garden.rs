@@ -95,7 +95,13 @@ pub fn checker() -> Arc<TextureImage> {
 pub fn ring() -> Arc<TextureImage> {
     picture(UVec2::splat(40), |x, y| {
         let radius = Vec2::new(x as f32 - 19.5, y as f32 - 19.5).length();
-        let code = if radius < 17.0 && radius > 9.0 { 255 } else if radius < 19.0 { 100 } else { 0 };
+        let code = if radius < 17.0 && radius > 9.0 {
+            255
+        } else if radius < 19.0 {
+            100
+        } else {
+            0
+        };
         [code, code, code, 255]
     })
 }

@@ -59,7 +59,8 @@ fn by_twin(engine: &Engine, description: &SceneDescription, params: &TraceParams
             tangents: world.resource::<GpuTable<Tangents>>().rows(),
             mean_emission: &means,
         };
-        let samples = (0..LAYERS).flat_map(|layer| (0..SIZE.y).flat_map(move |y| (0..SIZE.x).map(move |x| (layer, x, y))));
+        let samples =
+            (0..LAYERS).flat_map(|layer| (0..SIZE.y).flat_map(move |y| (0..SIZE.x).map(move |x| (layer, x, y))));
         samples
             .map(|(layer, x, y)| {
                 let traced = scene.sample(params, UVec2::new(x, y), params.first_sample + layer);

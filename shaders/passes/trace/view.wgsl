@@ -2,8 +2,10 @@
 
 import package::gen::{Hit, Ray, Triangle, ViewParams, NO_HIT, T_FAR};
 import package::gen::{VIEW_ALBEDO, VIEW_COST, VIEW_DEPTH, VIEW_MATERIAL, VIEW_MOST_STEPS, VIEW_NORMAL};
+@if(textures || relief || emission_map || cutout) import package::passes::trace::texture_views::{level_at, texel_at, textured_albedo, uv_at};
 import package::gen::{MATERIAL_RECORD_KD, MATERIAL_RECORD_KS, MATERIAL_RECORD_STRIDE, material_record_kd, material_record_ks};
 @if(normals) import package::gen::{Shading};
+@if(textures || relief || emission_map || cutout) import package::gen::{VIEW_MOST_LEVELS, VIEW_TEXEL, VIEW_UV};
 import package::lib::camera::{camera_direction};
 import package::lib::colour::{srgb8};
 import package::lib::intersect::{triangle_normal};
@@ -29,10 +31,13 @@ fn codes(v: vec3<f32>) -> u32 {
     return word(vec3<u32>(clamp(v, vec3<f32>(0.0), vec3<f32>(1.0)) * 255.0 + 0.5));
 }
 
-fn albedo(material: u32) -> vec3<f32> {
-    let at = MATERIAL_RECORD_STRIDE * material;
-    let kd = material_record_kd(materials[at + MATERIAL_RECORD_KD]);
-    let ks = material_record_ks(materials[at + MATERIAL_RECORD_KS]);
+fn albedo(triangle: Triangle, hit: Hit) -> vec3<f32> {
+    let at = MATERIAL_RECORD_STRIDE * triangle.material;
+    var kd = material_record_kd(materials[at + MATERIAL_RECORD_KD]);
+    var ks = material_record_ks(materials[at + MATERIAL_RECORD_KS]);
+    @if(textures || relief || emission_map || cutout) {
+        return textured_albedo(kd, ks, triangle, hit);
+    }
     return kd + ks;
 }
 
@@ -57,9 +62,24 @@ fn material_colour(index: u32) -> vec3<u32> {
 }
 
 // From black by red and yellow to white.
-fn heat(steps: u32) -> vec3<u32> {
-    let v = min(steps, VIEW_MOST_STEPS) * 768u / VIEW_MOST_STEPS;
+fn heat(part: u32, most: u32) -> vec3<u32> {
+    let v = min(part, most) * 768u / most;
     return min(max(vec3<u32>(v), vec3<u32>(0u, 256u, 512u)) - vec3<u32>(0u, 256u, 512u), vec3<u32>(255u));
+}
+
+// Of textures: where they are looked up, what is found, and at which level.
+@if(textures || relief || emission_map || cutout)
+fn texture_view(triangle: Triangle, hit: Hit, direction: vec3<f32>) -> u32 {
+    if (params.mode == VIEW_UV) {
+        return codes(vec3<f32>(fract(uv_at(triangle, hit)), 0.0));
+    }
+    if (params.mode == VIEW_TEXEL) {
+        return srgb8(texel_at(triangle, hit));
+    }
+    let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
+    let unit = normalize(area_normal / largest_of(abs(area_normal)));
+    let level = level_at(triangle, hit, params.trace_params.cone_spread * hit.t, dot(unit, direction));
+    return word(heat(u32(level * 64.0), VIEW_MOST_LEVELS * 64u));
 }
 
 fn seen(hit: Hit, direction: vec3<f32>) -> u32 {
@@ -70,7 +90,7 @@ fn seen(hit: Hit, direction: vec3<f32>) -> u32 {
     var colour = BLACK;
     switch params.mode {
         case VIEW_ALBEDO: {
-            colour = srgb8(albedo(triangle.material));
+            colour = srgb8(albedo(triangle, hit));
         }
         case VIEW_NORMAL: {
             colour = codes(0.5 * normal_at(triangle, hit, direction) + 0.5);
@@ -82,9 +102,12 @@ fn seen(hit: Hit, direction: vec3<f32>) -> u32 {
             colour = word(material_colour(triangle.material));
         }
         case VIEW_COST: {
-            colour = word(heat(hit.steps));
+            colour = word(heat(hit.steps, VIEW_MOST_STEPS));
         }
         default: {
+            @if(textures || relief || emission_map || cutout) {
+                colour = texture_view(triangle, hit, direction);
+            }
         }
     }
     return colour;

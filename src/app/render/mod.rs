@@ -14,6 +14,7 @@ use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::output;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::scene::Opened;
+use crate::app::shared::textures;
 use crate::app::{Exit, Failure};
 use crate::engine::Engine;
 use crate::gpu::Gpu;
@@ -129,9 +130,14 @@ fn trace(
     };
     let mut meter = Meter::new(&description.name, goal, arguments.quiet);
     engine.on_compiling(watch_compiling(meter.show_compiling()));
+    // Nothing is traced yet: what there is room for is known before long work begins.
+    let mut told = arguments.quiet;
     loop {
         let left = arguments.time.map_or(STEP, |time| Duration::from_secs_f64(time).saturating_sub(meter.elapsed()));
         let step = engine.step(STEP.min(left)).map_err(Failure::engine)?;
+        if !std::mem::replace(&mut told, true) {
+            textures::warnings(engine).iter().for_each(|warning| output::note(warning));
+        }
         meter.advance(step.samples, step.spp);
         if step.samples > 0 {
             interrupt.hold();

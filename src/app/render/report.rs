@@ -99,6 +99,8 @@ impl RenderSummary<'_> {
             "spp": film.spp,
             "triangles": report.triangles,
             "nodes": report.nodes,
+            "textures": report.textures,
+            "texture_bytes": report.texture_bytes,
             "camera": scene.active,
             "seed": scene.render.seed,
             "integrator": scene.render.integrator.name(),
@@ -189,6 +191,10 @@ impl RenderSummary<'_> {
             report.samples,
             report.bad_samples,
         );
+        if report.textures > 0 {
+            let megabytes = report.texture_bytes as f64 / f64::from(1 << 20);
+            text += &format!("  {} textures, {megabytes:.1} MiB on the device\n", report.textures);
+        }
         if report.passes.is_empty() {
             text += "  this adapter can't time passes\n";
         }

@@ -7,5 +7,6 @@ pub(super) mod output;
 pub(super) mod progress;
 pub(super) mod scene;
 pub(super) mod settings;
+pub(super) mod textures;
 pub(super) mod tracer;
 pub(super) mod values;

@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use crate::engine::Inspected;
+use crate::engine::{Inspected, LookedUp};
 
 /// Its linear values, and what is seen there.
 pub fn show(ui: &mut Ui, pixel: Option<&Inspected>) {
@@ -20,6 +20,13 @@ pub fn show(ui: &mut Ui, pixel: Option<&Inspected>) {
         Some(surface) => {
             ui.label(format!("mesh {}", surface.mesh));
             ui.label(format!("material {}", surface.material.as_deref().unwrap_or("(the default one)")));
+            if let Some([u, v]) = surface.uv {
+                ui.monospace(format!("uv {u:.4}  {v:.4}"));
+            }
+            for LookedUp { of, texture, texel, value: [r, g, b, _], level } in &surface.texels {
+                ui.label(format!("{of}: {texture}"));
+                ui.monospace(format!("  texel {}, {}  level {level:.1}  {r:.3} {g:.3} {b:.3}", texel.x, texel.y));
+            }
         }
         None => {
             ui.label("the environment");

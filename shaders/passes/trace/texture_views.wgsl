@@ -1,0 +1,56 @@
+// What views show of textures.
+
+import package::gen::{Hit, MaterialMaps, POINT, TEXEL_KIND, TEXEL_SLOPES, Triangle};
+import package::lib::texture::{level_of, nearest_texel};
+import package::passes::trace::textures::{load_maps, load_texel, load_texture, load_uvs, look_up_colour, texture_point};
+
+// Half of the way between two texels: the nearest, as far as one number says.
+const MIDDLE: f32 = 0.5;
+
+// The first texture that a material has, or 0.
+fn first_map(maps: MaterialMaps) -> u32 {
+    let relief = select(select(select(maps.metallic, maps.lobe, maps.lobe != 0u), maps.opacity, maps.opacity != 0u), maps.relief, maps.relief != 0u);
+    return select(select(select(relief, maps.emission, maps.emission != 0u), maps.specular, maps.specular != 0u), maps.diffuse, maps.diffuse != 0u);
+}
+
+fn uv_at(triangle: Triangle, hit: Hit) -> vec2<f32> {
+    let point = texture_point(load_uvs(triangle.index), hit.b1, hit.b2, POINT);
+    return fract(point.corner) + point.offset;
+}
+
+// The reflectances, times what their maps say there.
+fn textured_albedo(kd: vec3<f32>, ks: vec3<f32>, triangle: Triangle, hit: Hit) -> vec3<f32> {
+    let maps = load_maps(triangle.material);
+    let point = texture_point(load_uvs(triangle.index), hit.b1, hit.b2, POINT);
+    var diffuse = kd;
+    var specular = ks;
+    if (maps.diffuse != 0u) {
+        diffuse *= look_up_colour(maps.diffuse, point, MIDDLE);
+    }
+    if (maps.specular != 0u) {
+        specular *= look_up_colour(maps.specular, point, MIDDLE);
+    }
+    return diffuse + specular;
+}
+
+// The texel of the material's first map, as light; black without any. Slopes are shown about a grey.
+fn texel_at(triangle: Triangle, hit: Hit) -> vec3<f32> {
+    let map = first_map(load_maps(triangle.material));
+    if (map == 0u) {
+        return vec3<f32>(0.0);
+    }
+    let t = load_texture(map);
+    let point = texture_point(load_uvs(triangle.index), hit.b1, hit.b2, POINT);
+    let texel = load_texel(t, nearest_texel(t, point)).rgb;
+    return select(texel, 0.5 + 0.5 * t.gain * texel, (t.format & TEXEL_KIND) == TEXEL_SLOPES);
+}
+
+// The level of the material's first map, for a cone of such a width that meets the surface at a slant; 0 without any.
+fn level_at(triangle: Triangle, hit: Hit, width: f32, slant: f32) -> f32 {
+    let map = first_map(load_maps(triangle.material));
+    if (map == 0u) {
+        return 0.0;
+    }
+    let footprint = log2(max(width, 1e-30)) - 0.5 * log2(max(abs(slant), 1e-3));
+    return level_of(load_texture(map), texture_point(load_uvs(triangle.index), hit.b1, hit.b2, footprint));
+}
