@@ -32,7 +32,9 @@ fn what_is_cut_short_says_so_or_is_told() {
     let names = [(Png, "a.png"), (Jpeg, "a.jpg"), (Bmp, "a.bmp"), (Tga, "a.tga"), (Tiff, "a.tif"), (WebP, "a.webp")];
     for (format, name) in names {
         let bytes = encoded(format, [40, 30], Colour::Rgb8, &noise);
-        for length in (1..bytes.len()).step_by(bytes.len() / 97) {
+        // The last byte of a WebP file may be one that only fills.
+        let most = bytes.len() - usize::from(format == WebP);
+        for length in (1..most).step_by(bytes.len() / 97) {
             let (_folder, path) = file(name, &bytes[..length]);
             match TextureFile::open(&path).and_then(TextureFile::read) {
                 Ok(picture) => {

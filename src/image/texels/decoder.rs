@@ -1,6 +1,6 @@
 //! The decoders of the image crate, by what a file begins with.
 
-use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::io::{BufReader, Seek};
 use std::path::Path;
 
 use image::codecs::bmp::BmpDecoder;
@@ -16,7 +16,7 @@ use crate::image::png;
 use crate::image::tail::Tail;
 
 /// Bytes that a decoder may take beside what the picture and the file take.
-const BESIDE: u64 = 64 << 20;
+const BESIDE: u64 = 32 << 20;
 
 /// Endings of TGA files, in small letters.
 const TGA: [&str; 4] = ["tga", "icb", "vda", "vst"];
@@ -90,7 +90,7 @@ fn limited<'a>(
 }
 
 /// What a decoder's error means.
-pub fn fault(format: Format, file: &mut Tail, error: ImageError) -> Fault {
+pub fn fault(format: Format, file: &Tail, error: ImageError) -> Fault {
     match &error {
         ImageError::IoError(io) if io.kind() == std::io::ErrorKind::UnexpectedEof => Fault::CutShort,
         ImageError::Unsupported(_) => {
@@ -98,20 +98,7 @@ pub fn fault(format: Format, file: &mut Tail, error: ImageError) -> Fault {
             Fault::Unsupported { what, help: "write it as PNG, with 8 or 16 bits a channel" }
         }
         // These come to the end of the file in any case.
-        _ if matches!(format, Format::Jpeg | Format::WebP) => match riff_is_short(format, file) {
-            true => Fault::CutShort,
-            false => Fault::Broken(error.to_string()),
-        },
+        _ if matches!(format, Format::Jpeg | Format::WebP) => Fault::Broken(error.to_string()),
         _ => file.fault(error),
     }
-}
-
-/// Whether a WebP file has fewer bytes than it says.
-fn riff_is_short(format: Format, file: &mut Tail) -> bool {
-    let mut header = [0; 8];
-    if format != Format::WebP || file.seek(SeekFrom::Start(0)).is_err() || file.read_exact(&mut header).is_err() {
-        return false;
-    }
-    let says = u32::from_le_bytes([header[4], header[5], header[6], header[7]]);
-    file.length().is_ok_and(|length| length < u64::from(says) + 8)
 }

@@ -9,20 +9,17 @@ use crate::image::error::Fault;
 use crate::image::tail::Tail;
 
 const END: u8 = 0xd9;
-const SCAN: u8 = 0xda;
 
-/// Whether the file has the marker that ends a picture, after its scans. What follows that may be anything.
+/// Whether the file has the marker that ends a picture. What follows that may be anything.
 pub fn is_whole(path: &Path) -> Result<bool, Fault> {
     let mut file = BufReader::new(Tail::open(path)?);
-    let mut scanned = false;
     loop {
         let Some(marker) = marker(&mut file).map_err(Fault::Open)? else { return Ok(false) };
         match marker {
-            END => return Ok(scanned),
+            END => return Ok(true),
             // Without a length: stuffing in scans, restarts, the start, and one that is reserved.
             0x00 | 0x01 | 0xd0..=0xd8 => {}
-            marker => {
-                scanned |= marker == SCAN;
+            _ => {
                 let mut length = [0; 2];
                 if file.read_exact(&mut length).is_err() {
                     return Ok(false);

@@ -10,6 +10,7 @@ mod halve;
 mod jpeg;
 mod read_texture;
 mod texture_file;
+mod tiff;
 
 pub use halve::{Codes, halve};
 pub use read_texture::{Alpha, ReadTexture};

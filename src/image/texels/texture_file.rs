@@ -9,7 +9,7 @@ use image::ColorType;
 use super::decoder::{self, Format};
 use super::expand::Unread;
 use super::read_texture::{Alpha, ReadTexture};
-use super::{expand, float, jpeg};
+use super::{expand, float, jpeg, tiff};
 use crate::components::{Render, Texels, TextureImage};
 use crate::image::error::{Fault, ReadError};
 use crate::image::picture_file::PictureFile;
@@ -74,12 +74,18 @@ impl TextureFile {
             return Ok(Self { path: path.to_path_buf(), size, bytes: count(size) * 16, colours, kind });
         }
         let Some(format) = Format::of(&start, path) else { return Err(unknown(&start)) };
+        if format == Format::WebP && riff_length(&start) > length + 1 {
+            return Err(Fault::CutShort);
+        }
+        if format == Format::Tiff {
+            tiff::check_tables(path)?;
+        }
         let mut file = Tail::open(path)?;
         let header = decoder::open(format, &mut file, length, |decoder| (decoder.dimensions(), decoder.color_type()));
         let ((width, height), colour) = match header {
             Ok(header) => header,
             Err(_) if format == Format::Jpeg && !jpeg::is_whole(path)? => return Err(Fault::CutShort),
-            Err(error) => return Err(decoder::fault(format, &mut file, error)),
+            Err(error) => return Err(decoder::fault(format, &file, error)),
         };
         let size = UVec2::new(width, height);
         let bytes = count(size).saturating_mul(expand::bytes(colour)?);
@@ -139,7 +145,7 @@ fn codes(path: &Path, format: Format, size: UVec2, colour: ColorType) -> Result<
         Err(Unread::Changed) => Err(Fault::Broken("it was saved while it was read".to_owned())),
         Err(Unread::Memory) => Err(too_heavy(size, count(size) * expand::bytes(colour)?)),
         Err(Unread::Decoder(_)) if format == Format::Jpeg && !jpeg::is_whole(path)? => Err(Fault::CutShort),
-        Err(Unread::Decoder(error)) => Err(decoder::fault(format, &mut file, error)),
+        Err(Unread::Decoder(error)) => Err(decoder::fault(format, &file, error)),
     }
 }
 
@@ -165,10 +171,17 @@ fn check_length(bytes: u64, length: u64) -> Result<(), Fault> {
     if bytes / MOST_PACKED <= length { Ok(()) } else { Err(Fault::CutShort) }
 }
 
+/// Bytes that a RIFF file says it has; the last of them may be one that only fills.
+fn riff_length(start: &[u8]) -> u64 {
+    let says = start.get(4..8).and_then(|bytes| bytes.try_into().ok()).map_or(0, u32::from_le_bytes);
+    u64::from(says) + 8
+}
+
 /// Why a file is none of the kinds.
 fn unknown(start: &[u8]) -> Fault {
     let begins = |magic: &[u8]| magic.starts_with(start);
-    match begins(&exr::MAGIC) || begins(hdr::MAGIC) || decoder::MAGICS.iter().any(|(magic, _)| begins(magic)) {
+    let riff = start.starts_with(b"RIFF") && start.len() < 12;
+    match riff || begins(&exr::MAGIC) || begins(hdr::MAGIC) || decoder::MAGICS.iter().any(|(magic, _)| begins(magic)) {
         true => Fault::CutShort,
         false => Fault::Unknown { kinds: KINDS, text: std::str::from_utf8(start).is_ok() },
     }

@@ -29,6 +29,9 @@ pub fn decode(jobs: Vec<Job>, tell: &(dyn Fn(usize, usize) + Sync)) -> Vec<Resul
     let jobs = Mutex::new(jobs);
     let room = Room { free: Mutex::new(MOST_AT_ONCE), freed: Condvar::new() };
     let done = AtomicUsize::new(0);
+    if all > 0 {
+        tell(0, all);
+    }
     let work = || {
         let mut pictures = Vec::new();
         loop {

@@ -24,7 +24,7 @@ const MOST_BYTES: u64 = 4 << 30;
 pub struct Loading<'a> {
     /// Bytes that they may take in all: beyond it, the largest are halved.
     pub texture_bytes: u64,
-    /// Called from any thread with how many pictures are decoded, and how many there are to decode.
+    /// Called, if pictures are to be decoded, with how many are and how many there are: first with none, then from any thread.
     pub tell: &'a (dyn Fn(usize, usize) + Sync),
 }
 
