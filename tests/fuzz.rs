@@ -63,18 +63,23 @@ unsafe impl GlobalAlloc for Counting {
 
 /// Runs a case within its time and memory.
 fn capped<T>(case: impl FnOnce() -> T) -> T {
+    let (started, taken) = (Instant::now(), thread_time());
+    let (result, most) = held(case);
+    let time = taken.zip(thread_time()).map_or_else(|| started.elapsed(), |(before, after)| after - before);
+    assert!(time < TIME, "{time:?}");
+    assert!(most < MEMORY, "{most} bytes");
+    result
+}
+
+/// Runs a case, and says how many bytes this thread held at most for it.
+pub fn held<T>(case: impl FnOnce() -> T) -> (T, isize) {
     let before = HELD.with(|held| {
         let (now, _) = held.get();
         held.set((now, now));
         now
     });
-    let (started, taken) = (Instant::now(), thread_time());
     let result = case();
-    let time = taken.zip(thread_time()).map_or_else(|| started.elapsed(), |(before, after)| after - before);
-    assert!(time < TIME, "{time:?}");
-    let most = HELD.with(|held| held.get().1) - before;
-    assert!(most < MEMORY, "{most} bytes");
-    result
+    (result, HELD.with(|held| held.get().1) - before)
 }
 
 /// The same cases in every run. `test` says whether its files were accepted: at least `accepted` in a hundred must be, and some

@@ -4,8 +4,6 @@ use std::path::PathBuf;
 
 use glam::UVec2;
 
-use crate::components::Film;
-
 /// A picture that can't be read.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {fault}", path.display())]
@@ -29,9 +27,14 @@ pub enum Fault {
     #[error("is a folder")]
     #[diagnostic(help("name a picture in it: .exr, .hdr or .png"))]
     Folder,
-    #[error("is no picture of a kind that is read")]
-    #[diagnostic(help("EXR, Radiance HDR and PNG are read, whatever the name ends in"))]
-    Unknown,
+    #[error("is {}", if *.text { "text, and no picture of a kind that is read" } else { "no picture of a kind that is read" })]
+    #[diagnostic(help("{kinds} are read, whatever the name ends in"))]
+    Unknown {
+        /// Those that are read.
+        kinds: &'static str,
+        /// It begins like text.
+        text: bool,
+    },
     #[error("is empty")]
     #[diagnostic(help("write the file again"))]
     Empty,
@@ -50,7 +53,12 @@ pub enum Fault {
     #[error("has no channels R, G and B, and no Y, in any layer; its channels are: {0}")]
     #[diagnostic(help("write the picture as RGB, with or without a prefix, such as `beauty.R`"))]
     Channels(String),
-    #[error("{}x{} pixels is {}", .0.x, .0.y, if .0.min_element() == 0 { "empty" } else { "too large" })]
-    #[diagnostic(help("a side has 1 to {} pixels", Film::MAX_SIDE))]
-    TooLarge(UVec2),
+    #[error("{}x{} pixels is {}", .size.x, .size.y, if .size.min_element() == 0 { "empty" } else { "too large" })]
+    #[diagnostic(help("a side has 1 to {most} pixels"))]
+    TooLarge { size: UVec2, most: u32 },
+    #[error("{}x{} pixels would take {gib:.1} GiB of memory", .size.x, .size.y)]
+    #[diagnostic(help(
+        "halve its sides, or write it with 8 bits a channel: a texture may take 4 GiB, if there is as much memory"
+    ))]
+    TooHeavy { size: UVec2, gib: f64 },
 }

@@ -1,7 +1,8 @@
-//! Pictures in and out: one reader of EXR, Radiance HDR and PNG, one writer, and sRGB. Knows neither scenes nor the GPU.
+//! Pictures in and out: one reader of EXR, Radiance HDR and PNG, one of textures, one writer, and sRGB. Knows neither scenes nor the
+//! GPU.
 //!
 //! [`PictureFile`] reads the pixels that a file has, or a part of them; [`Shown`] places them where the file says that they are
-//! to be seen. [`Output`] writes a picture as the kind of file that its name says, and [`file`] makes any file appear whole.
+//! to be seen. [`TextureFile`] reads the texels of these and of more kinds, as they are stored. [`Output`] writes a picture as the kind of file that its name says, and [`file`] makes any file appear whole.
 
 mod error;
 mod exr;
@@ -13,6 +14,7 @@ mod pixel;
 mod png;
 pub mod srgb;
 mod tail;
+mod texels;
 mod write;
 
 pub use error::{Fault, ReadError};
@@ -20,4 +22,5 @@ pub use file::SaveError;
 pub use outputs::Outputs;
 pub use picture_file::{PictureFile, Shown};
 pub use pixel::Pixel;
+pub use texels::{Alpha, Codes, ReadTexture, TextureFile, halve};
 pub use write::{Kind, Output, Picture};

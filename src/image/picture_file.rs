@@ -16,6 +16,9 @@ use crate::components::{Crop, Film};
 /// Bytes from the start of a file that tell what it is.
 const START: u64 = 4096;
 
+/// What is read.
+const KINDS: &str = "EXR, Radiance HDR and PNG";
+
 /// A picture whose pixels have not been read: those that the file has, which need not be all that is to be shown.
 #[derive(Debug)]
 pub struct PictureFile {
@@ -59,7 +62,7 @@ impl PictureFile {
     }
 
     /// The same of a file of any size.
-    fn header(path: &Path) -> Result<Self, Fault> {
+    pub(super) fn header(path: &Path) -> Result<Self, Fault> {
         let mut start = Vec::new();
         let mut file = Tail::open(path)?;
         file.by_ref().take(START).read_to_end(&mut start).map_err(Fault::Open)?;
@@ -84,7 +87,7 @@ impl PictureFile {
         Err(match start.is_empty() {
             true => Fault::Empty,
             false if begins(&exr::MAGIC) || begins(&png::MAGIC) || begins(hdr::MAGIC) => Fault::CutShort,
-            false => Fault::Unknown,
+            false => Fault::Unknown { kinds: KINDS, text: std::str::from_utf8(&start).is_ok() },
         })
     }
 
@@ -172,7 +175,7 @@ fn placed(pixels: Vec<Pixel>, window: UVec2, place: UVec2, size: UVec2) -> Vec<P
 fn check_size(size: UVec2) -> Result<(), Fault> {
     match size.min_element() >= 1 && size.max_element() <= Film::MAX_SIDE {
         true => Ok(()),
-        false => Err(Fault::TooLarge(size)),
+        false => Err(Fault::TooLarge { size, most: Film::MAX_SIDE }),
     }
 }
 

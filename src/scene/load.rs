@@ -1,6 +1,6 @@
 //! A scene file and all it names, read into one description.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -19,8 +19,9 @@ use super::ron::{Reader, apply_defines, define_texts, parse};
 use super::sky::read_sky;
 use super::suggest::{did_you_mean, known_names};
 use super::text::{Text, missing};
+use super::textures::{self, Loading};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
-use crate::components::{Camera, Environment, Transform};
+use crate::components::{Camera, Environment, Texture, Transform};
 
 /// Bytes that a scene file may have.
 const SCENE_LIMIT: u64 = 4 << 20;
@@ -42,10 +43,23 @@ pub fn load(scene: &Path, defines: &[(String, String)]) -> Result<Loaded, Diagno
     attempt(scene, defines).0
 }
 
-/// The same, and every file that was read or looked for, whatever came of it.
+/// The same, with other bounds for pictures, and somebody who is told how far they are.
+pub fn load_with(scene: &Path, defines: &[(String, String)], loading: &Loading) -> Result<Loaded, Diagnostics> {
+    attempt_with(scene, defines, loading).0
+}
+
+/// The same as [`load`], and every file that was read or looked for, whatever came of it.
 pub fn attempt(scene: &Path, defines: &[(String, String)]) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
+    attempt_with(scene, defines, &Loading::default())
+}
+
+fn attempt_with(
+    scene: &Path,
+    defines: &[(String, String)],
+    loading: &Loading,
+) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
     let mut loader = Loader::default();
-    let description = loader.load(scene, defines);
+    let description = loader.load(scene, defines, loading);
     let files = loader.files.clone();
     let loaded = match description {
         Some(description) if !loader.diagnostics.has_errors() => {
@@ -65,7 +79,7 @@ struct Loader {
 }
 
 impl Loader {
-    fn load(&mut self, scene: &Path, defines: &[(String, String)]) -> Option<SceneDescription> {
+    fn load(&mut self, scene: &Path, defines: &[(String, String)], loading: &Loading) -> Option<SceneDescription> {
         let file = self.read_file(scene, defines)?;
         let folder = scene.parent().unwrap_or(Path::new(""));
         let mut meshes = BTreeMap::new();
@@ -82,11 +96,12 @@ impl Loader {
         let cameras = if file.cameras.is_empty() { default_camera(&meshes, &file) } else { file.cameras };
         let environment = file.environment.and_then(|entry| self.read_environment(folder, entry));
         let active = file.active.or_else(|| cameras.keys().next().cloned())?;
+        let textures = self.load_textures(&meshes, &materials, loading);
         let description = SceneDescription {
             name: stem(scene),
             meshes,
             materials,
-            textures: BTreeMap::new(),
+            textures,
             cameras,
             active,
             film: file.settings.film,
@@ -161,6 +176,31 @@ impl Loader {
         self.files.push(path.clone());
         let image = Arc::new(read_sky(&path, &place, &mut self.diagnostics)?);
         Some(Environment::Map { image, strength })
+    }
+
+    /// The textures of the materials that meshes have.
+    fn load_textures(
+        &mut self,
+        meshes: &BTreeMap<String, MeshEntry>,
+        materials: &BTreeMap<String, MtlMaterial>,
+        loading: &Loading,
+    ) -> BTreeMap<String, Texture> {
+        let used: BTreeSet<&String> = meshes.values().map(|mesh| &mesh.material).collect();
+        let maps = used.into_iter().filter_map(|name| materials.get(name)).flat_map(MtlMaterial::seen_maps);
+        if self.diagnostics.has_errors() {
+            // A scene that can't be used waits for its files all the same.
+            self.files.extend(maps.map(|(map, _)| map.file.clone()));
+            return BTreeMap::new();
+        }
+        let found = textures::load(maps, &|file| self.place_of_map(file), loading);
+        self.diagnostics.list.extend(found.messages);
+        self.files.extend(found.files);
+        found.textures
+    }
+
+    /// Where a picture is named first: a warning without its message.
+    fn place_of_map(&self, file: &Path) -> Diagnostic {
+        Diagnostic::file(Severity::Warning, file, "")
     }
 
     /// Adds the meshes and materials of one model under a name of its own, which it returns.

@@ -21,7 +21,7 @@ fn shown(path: &Path) -> Shown {
 fn refused(path: &Path) -> String {
     let error = Shown::read(path).expect_err("the file can't be read");
     let by_parts = PictureFile::open(path).and_then(|source| source.read_all()).expect_err("the file can't be read");
-    if !matches!(error.fault, Fault::TooLarge(_)) {
+    if !matches!(error.fault, Fault::TooLarge { .. }) {
         assert_eq!(error.to_string(), by_parts.to_string());
     }
     assert!(error.help().is_some(), "{error}: no help");

@@ -24,12 +24,13 @@ use std::time::Instant;
 use crate::app::shared::failure::show;
 use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::output;
+use crate::app::shared::pictures::watch_pictures;
 use crate::app::shared::progress::{Goal, Meter, clock};
 use crate::app::shared::scene::choose_camera;
 use crate::app::{Exit, Failure};
 use crate::gpu::Gpu;
 use crate::image::{Outputs, Picture};
-use crate::scene::{self, SceneDescription};
+use crate::scene::{self, Loading, SceneDescription};
 use crate::shader::Library;
 use report::JudgeSummary;
 
@@ -76,7 +77,8 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
 /// The scene as it is to be judged, with its path and all files that were read for it.
 fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, SceneDescription, Vec<PathBuf>), Failure> {
     let path = scene::find(&arguments.scene)?;
-    let loaded = scene::load(&path, &arguments.define)?;
+    let tell = watch_pictures(arguments.quiet);
+    let loaded = scene::load_with(&path, &arguments.define, &Loading { tell: &tell, ..Loading::default() })?;
     if !arguments.quiet {
         loaded.warnings.iter().for_each(|warning| show(warning));
     }

@@ -1,45 +1,16 @@
 //! Says that shaders are being compiled, where that takes long enough to wonder.
 
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
-use std::sync::{Mutex, PoisonError};
-use std::thread::JoinHandle;
-use std::time::Duration;
+use super::seconds::each_second;
 
-/// Compiling that is over sooner is not worth a word.
-const SECOND: Duration = Duration::from_secs(1);
+pub use super::seconds::is_due;
 
 /// What an engine is to call: `show` is called from another thread with the seconds that compiling has taken, each
 /// second from the first on, and no more once compiling is over.
 pub fn watch_compiling(show: impl Fn(u64) + Clone + Send + Sync + 'static) -> impl Fn(bool) + Send + Sync + 'static {
-    let clock: Mutex<Option<(Sender<()>, JoinHandle<()>)>> = Mutex::default();
-    move |begins| {
-        let mut clock = clock.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((over, thread)) = clock.take() {
-            drop(over);
-            let _ = thread.join();
-        }
-        if begins {
-            let (over, waits) = channel();
-            let show = show.clone();
-            let tick = move || {
-                for seconds in 1.. {
-                    if waits.recv_timeout(SECOND) != Err(RecvTimeoutError::Timeout) {
-                        return;
-                    }
-                    show(seconds);
-                }
-            };
-            *clock = Some((over, std::thread::spawn(tick)));
-        }
-    }
+    each_second(show)
 }
 
 /// The line for users; where nothing can be written over, it is shown at 1, 10, 20, .. seconds.
 pub fn line(seconds: u64) -> String {
     format!("compiling shaders, {seconds} s (a driver keeps them for later runs)")
-}
-
-/// Whether a line is due where nothing can be written over.
-pub fn is_due(seconds: u64) -> bool {
-    seconds == 1 || seconds.is_multiple_of(10)
 }

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::failure::{Failure, show};
+use super::pictures::watch_pictures;
 use super::settings::SettingFlags;
 use super::values::define;
 use crate::scene::settings::Settings;
-use crate::scene::{self, SceneDescription};
+use crate::scene::{self, Loading, SceneDescription};
 use crate::shader::{Library, ShaderError};
 use crate::watch::{Sources, WatchedScene};
 
@@ -43,7 +44,8 @@ impl SceneFlags {
     /// Finds the scene of a name or path, reads it, shows its warnings unless `quiet`, and applies the flags.
     pub fn open(&self, name: &str, quiet: bool) -> Result<Opened, Failure> {
         let path = scene::find(name)?;
-        let loaded = scene::load(&path, &self.define)?;
+        let tell = watch_pictures(quiet);
+        let loaded = scene::load_with(&path, &self.define, &Loading { tell: &tell, ..Loading::default() })?;
         if !quiet {
             loaded.warnings.iter().for_each(|warning| show(warning));
         }

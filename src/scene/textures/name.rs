@@ -1,11 +1,11 @@
-//! From what a material says of its maps to textures: names, and what each map is read as.
+//! The names of textures, and what each map of a material is read as.
 
 use std::collections::BTreeMap;
 
 use bevy_ecs::prelude::*;
 
-use super::mtl::{TextureMap, TextureMaps};
 use crate::components::{Maps, Wrap};
+use crate::scene::mtl::{MtlMaterial, TextureMap, TextureMaps};
 
 /// What a map is looked up for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -69,5 +69,18 @@ impl TextureMaps {
             opacity: find(&self.d, MapUse::Number),
             relief: find(&self.norm, MapUse::Normal).or_else(|| find(&self.bump, MapUse::Bump)),
         }
+    }
+}
+
+impl MtlMaterial {
+    /// The maps that a surface of this material looks up: one lobe's, and one relief.
+    pub fn seen_maps(&self) -> impl Iterator<Item = (&TextureMap, MapUse)> {
+        let Self { pr, maps, .. } = self;
+        let unseen_lobe = if pr.is_some() { &maps.ns } else { &maps.pr };
+        let directions = maps.norm.as_ref().is_some_and(|map| map.file.is_file());
+        let unseen_relief = if directions { &maps.bump } else { &None };
+        let is =
+            |slot: &Option<TextureMap>, map: &TextureMap| slot.as_ref().is_some_and(|slot| std::ptr::eq(slot, map));
+        maps.uses().filter(move |(map, _)| !is(unseen_lobe, map) && !is(unseen_relief, map))
     }
 }
