@@ -32,6 +32,7 @@ fn value_of(value: &Value) -> &'static str {
         Value::Number(..) | Value::Optional(..) => "0.25",
         Value::Switch(_) => "true",
         Value::Whole(..) => "5",
+        Value::Map(..) => "\"t.png\"",
     }
 }
 
@@ -39,6 +40,7 @@ fn value_of(value: &Value) -> &'static str {
 fn a_define_and_a_statement_reach_every_key() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("a file");
+    crate::mtl_maps::write_picture(&folder.path().join("t.png"));
     write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
     write("s.ron", "(models: [(path: \"m.obj\")], materials: { \"a\": () })");
     let loaded = |mtl: &str, defines: &[(String, String)]| {

@@ -14,7 +14,6 @@ fn read_named(name: &str, mtl: &str) -> (MtlMaterial, Vec<Diagnostic>) {
     let obj = format!("mtllib my materials.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl {name}\nf 1 2 3\n");
     std::fs::write(folder.path().join("m.obj"), obj).expect("a file");
     std::fs::write(folder.path().join("my materials.mtl"), mtl).expect("a file");
-    std::fs::write(folder.path().join("there is one.png"), "").expect("a file");
     let loaded = load(&folder.path().join("m.obj"), &[]).unwrap_or_else(|errors| panic!("{errors}"));
     let material = loaded.description.materials[&format!("m:{name}")].clone();
     (material, loaded.warnings)
@@ -37,6 +36,13 @@ fn a_whole_material_arrives_without_warnings() {
 }
 
 #[test]
+fn what_asks_for_nothing_is_not_told() {
+    let (_, warnings) =
+        read("newmtl a\nKd 1 1 1\nPs 0.000000\nPc 0.000000\nPcr 0.030000\naniso 0.000000\nanisor 0.000000\n");
+    assert_eq!(warnings, []);
+}
+
+#[test]
 fn one_value_is_grey() {
     let (material, warnings) = read("newmtl a\nKd 0.5\n");
     assert_eq!(material.kd, Vec3::splat(0.5));
@@ -49,8 +55,6 @@ fn what_is_not_given_is_black_unless_nothing_is() {
     let (material, warnings) = read("newmtl a\nNs 3\n");
     assert_eq!(material.kd, Vec3::splat(0.6));
     assert!(warnings[0].message.contains("rendered grey"), "{warnings:?}");
-    // A map is multiplied by Kd, which is then 1.
-    assert_eq!(read("newmtl a\nmap_Kd there is one.png\n").0.kd, Vec3::ONE);
 }
 
 #[test]
@@ -80,19 +84,6 @@ fn tr_counts_only_without_d() {
     assert_eq!(dissolve("Tr 0.25\nd 0.5"), 0.5);
     assert_eq!(dissolve("d 0.5\nTr 0.5"), 0.5);
     assert_eq!(dissolve("d -halo 0.5"), 0.5);
-}
-
-#[test]
-fn maps_are_kept_with_spaces_backslashes_and_without_options() {
-    let (material, warnings) =
-        read("newmtl a\nKd 1 1 1\nmap_Kd -s 2 2 -clamp on  there is one.png\nbump -bm 0.5 x\\y.png\n");
-    assert!(material.maps.kd.unwrap().file.ends_with("there is one.png"));
-    assert!(material.maps.bump.unwrap().file.ends_with("x/y.png"));
-    let texts: Vec<&str> = warnings.iter().map(|found| found.message.as_str()).collect();
-    let options = texts.iter().filter(|text| text.contains("is not honoured yet")).count();
-    assert_eq!(options, 3, "{texts:?}");
-    assert_eq!(texts.iter().filter(|text| text.contains("there is no image")).count(), 1, "{texts:?}");
-    assert_eq!(texts.iter().filter(|text| text.contains("has textures")).count(), 1, "{texts:?}");
 }
 
 #[test]
@@ -140,10 +131,6 @@ const DOUBTFUL: &[(&str, u32, &str)] = &[
     ("Pc 0.5", 1, "`Pc` is not honoured yet"),
     ("Kdd 1 1 1", 1, "did you mean `Kd`"),
     ("something 1", 1, "unknown statement `something`"),
-    ("map_Kd", 1, "names no file"),
-    ("map_Kd -s 1 1 1", 15, "there is no image"),
-    ("map_Kd -foo x.png", 8, "unknown option"),
-    ("map_Kd none.png", 8, "there is no image"),
     ("newmtl", 1, "without a name"),
     ("Kd 0.1 \\\nnan 0", 0, "not a finite number"),
 ];

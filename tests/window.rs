@@ -8,6 +8,7 @@ mod flight;
 mod inspect;
 mod keys;
 mod live;
+mod maps;
 mod navigate;
 mod pace;
 #[cfg(target_os = "linux")]

@@ -111,7 +111,7 @@ fn check_file(path: &Path) -> Found {
             }
         }
         Ok(Some(Kind::Library)) => {
-            let materials = read_mtl(path, &mut found.diagnostics).unwrap_or_default();
+            let materials = read_mtl(path, &mut found.diagnostics).unwrap_or_default().materials;
             found.rows.extend(materials.into_iter().map(|(name, material)| Row { name, look: material.appearance() }));
         }
         Ok(None) => {

@@ -7,10 +7,11 @@ use std::ops::RangeInclusive;
 
 use glam::Vec3;
 
-use super::mtl::MtlMaterial;
+use super::mtl::{MtlMaterial, TextureMap};
 use super::suggest::did_you_mean;
+use super::textures::MapUse;
 
-/// One number of a material.
+/// One number or map of a material.
 #[derive(Debug)]
 pub struct Key {
     /// Statement of MTL files, where they have one.
@@ -36,6 +37,8 @@ pub enum Value {
     Switch(Place<bool>),
     /// A whole number, 0 to a greatest.
     Whole(u32, Place<u32>),
+    /// A picture, and what it is looked up for.
+    Map(MapUse, Place<Option<TextureMap>>),
 }
 
 /// What a colour is of.
@@ -59,6 +62,9 @@ pub struct Range {
 
 /// Greatest channel of an MTL colour: products along a path stay far within f32.
 const BRIGHTEST: f32 = 1e6;
+
+/// Other words for statements.
+const ALIASES: &[(&str, &str)] = &[("bump", "map_Bump"), ("map_norm", "norm")];
 
 const UNIT: Range = Range { least: 0.0, most: 1.0, slider: 1.0, logarithmic: false };
 const EXPONENT: Range = Range { least: 0.0, most: 1e5, slider: 1e5, logarithmic: true };
@@ -127,11 +133,66 @@ pub static KEYS: &[Key] = &[
         value: Value::Whole(10, |m| &mut m.illum),
         doc: "3, 5, 8: a mirror; 4, 6, 7, 9: glass, if the numbers say so too (below); 10 is not honoured; else nothing",
     },
+    Key {
+        mtl: Some("map_Kd"),
+        scene: "map_kd",
+        value: Value::Map(MapUse::Colour, |m| &mut m.maps.kd),
+        doc: "texture that `Kd` is multiplied by, or that stands for it (`texture`, below)",
+    },
+    Key {
+        mtl: Some("map_Ks"),
+        scene: "map_ks",
+        value: Value::Map(MapUse::Colour, |m| &mut m.maps.ks),
+        doc: "texture that `Ks` is multiplied by",
+    },
+    Key {
+        mtl: Some("map_Ns"),
+        scene: "map_ns",
+        value: Value::Map(MapUse::Number, |m| &mut m.maps.ns),
+        doc: "texture that `Ns` is multiplied by, where there is no roughness",
+    },
+    Key {
+        mtl: Some("map_Pr"),
+        scene: "map_pr",
+        value: Value::Map(MapUse::Number, |m| &mut m.maps.pr),
+        doc: "texture that `Pr` is multiplied by",
+    },
+    Key {
+        mtl: Some("map_Pm"),
+        scene: "map_pm",
+        value: Value::Map(MapUse::Number, |m| &mut m.maps.pm),
+        doc: "texture that `Pm` is multiplied by",
+    },
+    Key {
+        mtl: Some("map_Ke"),
+        scene: "map_ke",
+        value: Value::Map(MapUse::Colour, |m| &mut m.maps.ke),
+        doc: "texture that `Ke` is multiplied by",
+    },
+    Key {
+        mtl: Some("map_d"),
+        scene: "map_d",
+        value: Value::Map(MapUse::Number, |m| &mut m.maps.d),
+        doc: "texture that `d` is multiplied by: what part of the surface is there",
+    },
+    Key {
+        mtl: Some("norm"),
+        scene: "norm",
+        value: Value::Map(MapUse::Normal, |m| &mut m.maps.norm),
+        doc: "texture of directions that bend the shading normal; `map_norm` too",
+    },
+    Key {
+        mtl: Some("map_Bump"),
+        scene: "bump",
+        value: Value::Map(MapUse::Bump, |m| &mut m.maps.bump),
+        doc: "texture of heights that bend the shading normal, or of directions; `bump` too, and without it `disp`, `map_Disp`",
+    },
 ];
 
 impl Key {
     /// The key of an MTL statement, in letters of any case.
     pub fn of_statement(word: &str) -> Option<&'static Self> {
+        let word = ALIASES.iter().find(|(alias, _)| alias.eq_ignore_ascii_case(word)).map_or(word, |(_, mtl)| *mtl);
         KEYS.iter().find(|key| key.mtl.is_some_and(|mtl| mtl.eq_ignore_ascii_case(word)))
     }
 
@@ -142,8 +203,8 @@ impl Key {
 
     /// Writes one material's value over another's.
     pub fn copy(&self, from: &MtlMaterial, to: &mut MtlMaterial) {
-        fn copy<T: Copy>(at: Place<T>, from: &mut MtlMaterial, to: &mut MtlMaterial) {
-            *at(to) = *at(from);
+        fn copy<T: Clone>(at: Place<T>, from: &mut MtlMaterial, to: &mut MtlMaterial) {
+            *at(to) = at(from).clone();
         }
         let from = &mut from.clone();
         match self.value {
@@ -152,6 +213,7 @@ impl Key {
             Value::Optional(_, at) => copy(at, from, to),
             Value::Switch(at) => copy(at, from, to),
             Value::Whole(_, at) => copy(at, from, to),
+            Value::Map(_, at) => copy(at, from, to),
         }
     }
 
@@ -174,6 +236,7 @@ impl Value {
             Self::Optional(range, _) => format!("{} to {}, or none", range.least, range.most),
             Self::Switch(_) => "true or false".to_owned(),
             Self::Whole(most, _) => format!("0 to {most}, whole"),
+            Self::Map(..) => "a file, with options; or `None`".to_owned(),
         }
     }
 }

@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec3};
 use super::bounds::Bounds;
 use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
-use super::file::{DEFAULT_CAMERA, EnvironmentEntry, MaterialEntry, ModelEntry, SceneFile, read_scene};
+use super::file::{DEFAULT_CAMERA, EnvironmentEntry, MaterialEntry, ModelEntry, SceneFile, plain_field, read_scene};
 use super::kind::Kind;
 use super::locate::{as_written, file_names};
 use super::model::{FARTHEST, Imported, Model};
@@ -76,11 +76,13 @@ struct Loader {
     diagnostics: Diagnostics,
     /// Each OBJ file is read once, however many models use it; `None` where it failed.
     models: BTreeMap<PathBuf, Option<Model>>,
+    /// By the files that maps name: the first place that does, as a warning without its message.
+    map_places: BTreeMap<PathBuf, Diagnostic>,
 }
 
 impl Loader {
     fn load(&mut self, scene: &Path, defines: &[(String, String)], loading: &Loading) -> Option<SceneDescription> {
-        let file = self.read_file(scene, defines)?;
+        let mut file = self.read_file(scene, defines)?;
         let folder = scene.parent().unwrap_or(Path::new(""));
         let mut meshes = BTreeMap::new();
         let mut materials = BTreeMap::new();
@@ -90,13 +92,17 @@ impl Loader {
             let name = self.add_model(folder, entry, &mut names, &mut meshes, &mut materials);
             models.extend(name.map(|name| (name, &entry.place)));
         }
-        for entry in &file.materials {
+        for entry in &mut file.materials {
+            self.find_maps(folder, entry);
             self.edit_materials(entry, &mut materials);
         }
         let cameras = if file.cameras.is_empty() { default_camera(&meshes, &file) } else { file.cameras };
         let environment = file.environment.and_then(|entry| self.read_environment(folder, entry));
         let active = file.active.or_else(|| cameras.keys().next().cloned())?;
         let textures = self.load_textures(&meshes, &materials, loading);
+        for material in materials.values_mut() {
+            material.settle(|map, used| textures.contains_key(&textures::name(map, used)));
+        }
         let description = SceneDescription {
             name: stem(scene),
             meshes,
@@ -152,7 +158,7 @@ impl Loader {
         let text = text.map_err(|error| self.diagnostics.push(error)).ok()?;
         let defined = define_texts(defines);
         let tree = parse(&text).and_then(|mut root| {
-            apply_defines(&mut root, defines, &defined)?;
+            apply_defines(&mut root, defines, &defined, plain_field)?;
             Ok(root)
         });
         let root = tree.map_err(|error| self.diagnostics.push(error)).ok()?;
@@ -200,7 +206,7 @@ impl Loader {
 
     /// Where a picture is named first: a warning without its message.
     fn place_of_map(&self, file: &Path) -> Diagnostic {
-        Diagnostic::file(Severity::Warning, file, "")
+        self.map_places.get(file).cloned().unwrap_or_else(|| Diagnostic::file(Severity::Warning, file, ""))
     }
 
     /// Adds the meshes and materials of one model under a name of its own, which it returns.
@@ -220,6 +226,9 @@ impl Loader {
             self.models.insert(path.clone(), model);
         }
         let model = self.models.get(&path)?.as_ref()?;
+        for (file, place) in &model.map_places {
+            self.map_places.entry(file.clone()).or_insert_with(|| place.clone());
+        }
         if let Some(name) = entry.name.as_ref().filter(|name| names.contains_key(*name)) {
             let message = format!("a model before this one is named `{name}` too");
             self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help("give it another `name`"));
@@ -275,13 +284,27 @@ impl Loader {
         None
     }
 
+    /// Finds the pictures that an entry of the scene file's `materials` names.
+    fn find_maps(&mut self, folder: &Path, entry: &mut MaterialEntry) {
+        for found in entry.edit.find_maps(folder) {
+            if let Some(message) = found.message {
+                self.files.push(found.path.clone());
+                self.diagnostics.push(message);
+            }
+            self.map_places.entry(found.path).or_insert(found.place);
+        }
+    }
+
     /// Applies one entry of the scene file's `materials`: to a full key, or to every model's material of that name.
     fn edit_materials(&mut self, entry: &MaterialEntry, materials: &mut BTreeMap<String, MtlMaterial>) {
         let mut found = false;
         for (key, material) in materials.iter_mut() {
             if *key == entry.name || bare(key) == entry.name {
                 let glass = entry.edit.asks_for_glass();
-                entry.edit.apply(material);
+                for error in entry.edit.apply(material) {
+                    let told = self.diagnostics.list.contains(&error);
+                    self.diagnostics.list.extend((!told).then_some(error));
+                }
                 found = true;
                 if glass && !material.is_glass() {
                     let (illum, look) = (material.illum, material.appearance().kind);

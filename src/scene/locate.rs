@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use super::suggest::did_you_mean;
 use super::text::lenient;
 
 /// A file that was found.
@@ -53,6 +54,14 @@ pub fn file_names(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = entries(folder).into_iter().map(|(_, name)| name).collect();
     names.sort();
     names
+}
+
+/// "Did you mean", by what is in the folder that a missing file's name means; else by what is in the folder it is relative to.
+pub fn near_names(folder: &Path, name: &str) -> Option<String> {
+    let path = as_written(folder, name);
+    let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    let near = |folder: &Path| did_you_mean(last, file_names(folder).iter().map(String::as_str));
+    path.parent().and_then(near).or_else(|| near(folder))
 }
 
 /// The file at the end of a chain of names, and whether all have their letters' case.

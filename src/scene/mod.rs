@@ -19,6 +19,7 @@ mod kind;
 mod lines;
 mod load;
 mod locate;
+mod mapped;
 mod model;
 mod mtl;
 mod obj;

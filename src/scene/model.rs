@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::bounds::Bounds;
-use super::diagnostic::Diagnostics;
+use super::diagnostic::{Diagnostic, Diagnostics};
 use super::mtl::MtlMaterial;
 use crate::components::MeshData;
 
@@ -31,6 +31,8 @@ pub struct Model {
     pub meshes: Vec<ModelMesh>,
     /// By the names that the meshes have.
     pub materials: BTreeMap<String, MtlMaterial>,
+    /// By the files that maps name: the first statement that does, as a warning without its message.
+    pub map_places: BTreeMap<PathBuf, Diagnostic>,
     /// Model space.
     pub bounds: Bounds,
 }

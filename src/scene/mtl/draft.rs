@@ -1,37 +1,23 @@
 //! A material while its statements are read, and what they come to in the end.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use glam::Vec3;
 
-use super::maps;
+use super::maps::MapFiles;
 use super::material::MtlMaterial;
-use super::texture_map::{TextureMap, TextureMaps};
+use super::options::Context;
+use super::texture_map::TextureMap;
 use super::values::{colour, reflectance, scalar, whole};
 use crate::scene::diagnostic::{Diagnostic, Tally};
 use crate::scene::keys::{Colour, Key, Value, suggest_statement};
-use crate::scene::lines::Line;
+use crate::scene::lines::{Line, words};
+use crate::scene::text;
+use crate::scene::textures::MapUse;
 
 /// Statements beside the keys, for suggestions: those that come before them, and after.
 const FIRST: &[&str] = &["newmtl", "Ka"];
-const LAST: &[&str] = &[
-    "Le",
-    "Tr",
-    "map_Ka",
-    "map_Kd",
-    "map_Ks",
-    "map_Ns",
-    "map_Ke",
-    "map_d",
-    "map_Bump",
-    "bump",
-    "norm",
-    "disp",
-    "decal",
-    "refl",
-    "sharpness",
-];
+const LAST: &[&str] = &["Le", "Tr", "map_Ka", "bump", "disp", "map_Disp", "map_Ps", "decal", "refl", "sharpness"];
 
 /// `illum` of a surface with highlights, and nothing else.
 const HIGHLIGHTS: u32 = 2;
@@ -55,8 +41,8 @@ pub struct Draft {
     places: BTreeMap<&'static str, Diagnostic>,
     le: Option<(Vec3, Diagnostic)>,
     tr: Option<(f32, Diagnostic)>,
-    /// Where the first map is given.
-    map: Option<Diagnostic>,
+    /// Heights that the surface was to be moved by, and their place.
+    disp: Option<(TextureMap, Diagnostic)>,
 }
 
 impl Draft {
@@ -69,14 +55,14 @@ impl Draft {
             places: BTreeMap::new(),
             le: None,
             tr: None,
-            map: None,
+            disp: None,
         }
     }
 
     /// Reads one statement.
-    pub fn read(&mut self, line: &Line, key: &str, rest: &str, folder: &Path, tally: &mut Tally) {
+    pub fn read(&mut self, line: &Line, key: &str, rest: &str, files: &mut MapFiles, tally: &mut Tally) {
         if let Some(known) = Key::of_statement(key) {
-            if self.read_key(known, line, key, rest, tally).is_some() {
+            if self.read_key(known, line, key, rest, files, tally).is_some() {
                 self.places.insert(known.scene, line.warning(key, ""));
             }
             return;
@@ -88,11 +74,18 @@ impl Draft {
             "ka" | "map_ka" | "sharpness" => tally.once("ambient light", || {
                 line.warning(key, format!("`{key}` has no meaning in path tracing; it is left out in this whole file"))
             }),
-            "map_kd" | "map_ks" | "map_ns" | "map_ke" | "map_d" | "map_bump" | "bump" => {
-                self.read_map(line, key, rest, folder, tally);
+            "disp" | "map_disp" => {
+                let map = files.read(&Context { line, key, used: MapUse::Bump }, rest, tally);
+                replace(&mut self.disp, map, place);
             }
-            "ps" | "pc" | "pcr" | "aniso" | "anisor" | "norm" | "disp" | "decal" | "refl" | "map_pr" | "map_pm"
-            | "map_ps" | "map_refl" | "map_aat" => {
+            "map_ps" => tally.push("statements not honoured yet", || {
+                line.warning(key, format!("`{key}` is of sheen, which is not rendered: it is left out"))
+            }),
+            // Of nothing.
+            "ps" | "pc" | "aniso" if words(rest).all(|word| text::number(word) == Some(0.0)) => {}
+            // The shape of what `Pc` and `aniso` ask for.
+            "pcr" | "anisor" => {}
+            "ps" | "pc" | "aniso" | "decal" | "refl" | "map_refl" | "map_aat" => {
                 tally.push("statements not honoured yet", || {
                     line.warning(key, format!("`{key}` is not honoured yet: it is left out"))
                 });
@@ -108,7 +101,15 @@ impl Draft {
     }
 
     /// Reads the value of a key; none where it is wrong, and what was given before counts.
-    fn read_key(&mut self, key: &Key, line: &Line, word: &str, rest: &str, tally: &mut Tally) -> Option<()> {
+    fn read_key(
+        &mut self,
+        key: &Key,
+        line: &Line,
+        word: &str,
+        rest: &str,
+        files: &mut MapFiles,
+        tally: &mut Tally,
+    ) -> Option<()> {
         let rest = if key.scene == "d" { without_halo(line, rest, tally) } else { rest };
         let material = &mut self.given;
         match key.value {
@@ -121,6 +122,9 @@ impl Draft {
                 *at(material) = Some(scalar(line, word, rest, range.least, range.most, tally)?);
             }
             Value::Whole(most, at) => *at(material) = whole(line, word, rest, most, tally)?,
+            Value::Map(used, at) => {
+                *at(material) = Some(files.read(&Context { line, key: word, used }, rest, tally)?)
+            }
             // MTL has none.
             Value::Switch(_) => return None,
         }
@@ -135,21 +139,6 @@ impl Draft {
     /// The colour of a key that was given.
     fn is_lit(&self, key: &str, colour: Vec3) -> bool {
         self.place(key).is_some() && colour != Vec3::ZERO
-    }
-
-    /// An image file.
-    fn read_map(&mut self, line: &Line, key: &str, rest: &str, folder: &Path, tally: &mut Tally) {
-        let Some(path) = maps::path(line, key, rest, folder, tally) else { return };
-        let slot = match key.to_ascii_lowercase().as_str() {
-            "map_kd" => &mut self.given.maps.kd,
-            "map_ks" => &mut self.given.maps.ks,
-            "map_ns" => &mut self.given.maps.ns,
-            "map_ke" => &mut self.given.maps.ke,
-            "map_d" => &mut self.given.maps.d,
-            _ => &mut self.given.maps.bump,
-        };
-        *slot = Some(TextureMap::new(path));
-        self.map.get_or_insert_with(|| line.warning(key, ""));
     }
 
     /// Its name.
@@ -170,29 +159,39 @@ impl Draft {
     /// The material these statements describe: what was given, but for what statements say together.
     pub fn material(&self, habits: Habits) -> MtlMaterial {
         let constant = habits.glass_is_constant && self.given.asks_for_glass();
-        MtlMaterial {
+        let mut material = MtlMaterial {
             kd: if self.place("kd").is_some() { self.given.kd } else { self.missing_kd() },
             ke: self.emission(),
             d: self.dissolve(habits),
             illum: if constant { HIGHLIGHTS } else { self.given.illum },
             ..self.given.clone()
+        };
+        if material.maps.bump.is_none() {
+            material.maps.bump = self.disp.as_ref().map(|(map, _)| map.clone());
         }
+        material.mark_alone(|key| self.is_given(key));
+        material
     }
 
-    /// `Kd` where it is not given.
+    /// Whether a statement says the number of a key.
+    fn is_given(&self, key: &str) -> bool {
+        let other = match key {
+            "ke" => self.le.is_some(),
+            "d" => self.tr.is_some(),
+            _ => false,
+        };
+        other || self.place(key).is_some()
+    }
+
+    /// `Kd` where neither it nor a map is given.
     fn missing_kd(&self) -> Vec3 {
-        match &self.given.maps.kd {
-            // What a map is multiplied by.
-            Some(_) => Vec3::ONE,
-            None if self.is_bare() => MtlMaterial::default().kd,
-            None => Vec3::ZERO,
-        }
+        if self.is_bare() { MtlMaterial::default().kd } else { Vec3::ZERO }
     }
 
     /// Warns of what can't be rendered as written; `material` is what it came to.
     pub fn warn_of(&self, material: &MtlMaterial, habits: Habits, tally: &mut Tally) {
         let glass = material.is_glass();
-        if self.is_bare() && !glass && self.given.maps == TextureMaps::default() {
+        if self.is_bare() && !glass {
             self.warn(
                 tally,
                 &self.place,
@@ -203,11 +202,13 @@ impl Draft {
         self.warn_of_emission(tally);
         self.warn_of_dissolve(habits, tally);
         self.warn_of_unrendered(glass, tally);
+        self.warn_of_maps(material, tally);
     }
 
     /// Whether nothing says which light it sends back.
     fn is_bare(&self) -> bool {
-        ["kd", "ks", "ke"].iter().all(|key| self.place(key).is_none()) && self.le.is_none()
+        let said = ["kd", "ks", "ke", "map_kd", "map_ks", "map_ke"];
+        said.iter().all(|key| self.place(key).is_none()) && self.le.is_none()
     }
 
     /// Whether the name says that it is a light, as in the Cornell box family of files.
@@ -229,7 +230,8 @@ impl Draft {
 
     fn warn_of_emission(&self, tally: &mut Tally) {
         let (first, second) = self.glows();
-        if self.is_named_light() && first == Vec3::ZERO && second == Vec3::ZERO {
+        let dark = first == Vec3::ZERO && second == Vec3::ZERO && self.given.maps.ke.is_none();
+        if self.is_named_light() && dark {
             self.warn(
                 tally,
                 &self.place,
@@ -280,7 +282,9 @@ impl Draft {
 
     /// One warning for each thing that this material asks for and does not get.
     fn warn_of_unrendered(&self, glass: bool, tally: &mut Tally) {
-        let (kd, ks) = (self.is_lit("kd", self.given.kd), self.is_lit("ks", self.given.ks));
+        let maps = &self.given.maps;
+        let kd = maps.kd.is_some() || self.is_lit("kd", self.given.kd);
+        let ks = maps.ks.is_some() || self.is_lit("ks", self.given.ks);
         let illum = self.given.illum;
         let message = match illum {
             _ if glass && (kd || ks) => {
@@ -293,9 +297,38 @@ impl Draft {
         if let Some(place) = self.illum_place().filter(|_| !message.is_empty()) {
             self.warn(tally, place, "illumination models", &message);
         }
-        if let Some(place) = &self.map {
-            self.warn(tally, place, "textures", "has textures, which are not rendered yet: its plain colours are");
+    }
+
+    /// Warns of maps that count otherwise than they are written.
+    fn warn_of_maps(&self, material: &MtlMaterial, tally: &mut Tally) {
+        let maps = &material.maps;
+        let numbers =
+            [("kd", &maps.kd), ("ks", &maps.ks), ("ke", &maps.ke), ("pr", &maps.pr), ("pm", &maps.pm), ("d", &maps.d)];
+        for (key, map) in numbers {
+            if let (Some(place), true) = (self.place(key), map.as_ref().is_some_and(|map| map.alone)) {
+                let key = Key::of_statement(key).and_then(|key| key.mtl).unwrap_or(key);
+                let message = format!(
+                    "has `{key}` 0 beside its map, as some programs write: the map counts alone, in this whole library"
+                );
+                self.warn_once(tally, place, "zeros beside maps", &message);
+            }
         }
+        if let Some((_, place)) = &self.disp {
+            let message = if self.given.maps.bump.is_some() {
+                "has both `bump` and `disp`: only `bump` counts"
+            } else {
+                "has displacement, which is rendered as bump: no surface is moved, in this whole library"
+            };
+            self.warn_once(tally, place, "displacement", message);
+        }
+        if let (Some(place), true) = (self.place("bump"), maps.norm.is_some()) {
+            self.warn(tally, place, "relief given twice", "has both `norm` and `bump`: only `norm` counts");
+        }
+    }
+
+    /// A warning about this material at a place, of a kind of which the first is enough.
+    fn warn_once(&self, tally: &mut Tally, place: &Diagnostic, kind: &'static str, message: &str) {
+        tally.once(kind, || Diagnostic { message: format!("material `{}` {message}", self.name), ..place.clone() });
     }
 
     /// A warning about this material at a place.

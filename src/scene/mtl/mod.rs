@@ -6,28 +6,31 @@
 //! |---|---|
 //! | `Le` | `Ke`: what the Cornell box family of files writes in materials named `*_light` |
 //! | `Tr` | counts as 1 - `d`, and only without `d`: exporters write it both ways round |
-//! | `map_Kd`, `map_Ks`, `map_Ns`, `map_Ke`, `map_d`, `map_Bump`/`bump` | paths, kept |
+//! | `disp`, `map_Disp` | `map_Bump`, and only without one |
 //!
 //! What one exporter writes on all its materials is judged once the whole library is read: [`exporter`].
 //!
 //! tobj's own reader panics on `Kd 1` and drops a whole file for one bad line, so this one takes its place.
 
+mod alone;
 mod appearance;
 mod draft;
 mod exporter;
 mod maps;
 mod material;
+mod options;
 mod texture_map;
 mod values;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::io::BufReader;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
 use super::lines::{Line, Lines, unquoted};
 use super::text;
 use draft::{Draft, Habits};
+use maps::MapFiles;
 
 pub use appearance::Appearance;
 pub use material::MtlMaterial;
@@ -36,10 +39,19 @@ pub use texture_map::{TextureMap, TextureMaps};
 /// Bytes that an MTL file may have.
 const LIMIT: u64 = 64 << 20;
 
-/// Materials of one file, in its order, names unique. `None` where the file can't be read; its messages say why.
-pub fn read_mtl(file: &Path, diagnostics: &mut Diagnostics) -> Option<Vec<(String, MtlMaterial)>> {
+/// What is in an MTL file.
+#[derive(Debug, Default)]
+pub struct Library {
+    /// In the file's order, names unique.
+    pub materials: Vec<(String, MtlMaterial)>,
+    /// By the files that maps name: the first statement that does, as a warning without its message.
+    pub map_places: BTreeMap<PathBuf, Diagnostic>,
+}
+
+/// Reads a file. `None` where the file can't be read; its messages say why.
+pub fn read_mtl(file: &Path, diagnostics: &mut Diagnostics) -> Option<Library> {
     let mut tally = Tally::new(file);
-    let materials = match text::open(file, LIMIT) {
+    let library = match text::open(file, LIMIT) {
         Ok(handle) => read_lines(file, Lines::new(BufReader::new(handle), file), &mut tally),
         Err(error) => {
             tally.diagnostics.push(error);
@@ -47,16 +59,12 @@ pub fn read_mtl(file: &Path, diagnostics: &mut Diagnostics) -> Option<Vec<(Strin
         }
     };
     diagnostics.list.extend(tally.finish());
-    materials
+    library
 }
 
 /// Reads statement by statement, then judges what was read.
-fn read_lines(
-    file: &Path,
-    mut lines: Lines<impl std::io::BufRead>,
-    tally: &mut Tally,
-) -> Option<Vec<(String, MtlMaterial)>> {
-    let folder = file.parent().unwrap_or(Path::new(""));
+fn read_lines(file: &Path, mut lines: Lines<impl std::io::BufRead>, tally: &mut Tally) -> Option<Library> {
+    let mut files = MapFiles::new(file.parent().unwrap_or(Path::new("")));
     let mut line = Line::default();
     let mut drafts = Drafts::default();
     loop {
@@ -72,7 +80,7 @@ fn read_lines(
         if key.eq_ignore_ascii_case("newmtl") {
             drafts.start(&line, key, unquoted(rest), tally);
         } else if let Some(draft) = drafts.current() {
-            draft.read(&line, key, rest, folder, tally);
+            draft.read(&line, key, rest, &mut files, tally);
         } else {
             tally.push("statements before newmtl", || {
                 line.warning(key, format!("`{key}` stands before any `newmtl` and is left out"))
@@ -88,7 +96,7 @@ fn read_lines(
         let warning = Diagnostic::file(Severity::Warning, file, message);
         tally.diagnostics.push(warning.help("a material begins with `newmtl NAME`"));
     }
-    Some(judge(&drafts.list, tally))
+    Some(Library { materials: judge(&drafts.list, tally), map_places: files.places })
 }
 
 /// What the drafts of a whole library come to.

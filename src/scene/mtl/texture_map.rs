@@ -9,9 +9,10 @@ use crate::components::{Channel, Wrap};
 /// A texture that a material names. The file need not be there, nor be a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextureMap {
-    /// Found, or as it was looked for.
+    /// Found, or where it was looked for.
     pub file: PathBuf,
     pub wrap: [Wrap; 2],
+    /// Texture coordinates are looked up at `(u, v) * scale + offset`.
     pub scale: Vec2,
     pub offset: Vec2,
     /// `-mm BASE GAIN`.
@@ -23,6 +24,11 @@ pub struct TextureMap {
     pub bump: f32,
     /// Of a picture of directions: green grows downwards.
     pub flip_green: bool,
+    /// The number that it multiplies was not given, or as 0: it counts as 1 beside this map, and as its default without
+    /// ([`MtlMaterial::settle`](super::MtlMaterial::settle)).
+    pub alone: bool,
+    /// Kept, but not rendered.
+    pub off: bool,
 }
 
 /// The textures of a material, by the statement that names each.
@@ -54,6 +60,8 @@ impl TextureMap {
             channel: None,
             bump: 1.0,
             flip_green: false,
+            alone: false,
+            off: false,
         }
     }
 }

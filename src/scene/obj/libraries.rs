@@ -24,6 +24,8 @@ pub struct Statement {
 #[derive(Default)]
 pub struct Libraries {
     pub materials: BTreeMap<String, MtlMaterial>,
+    /// By the files that maps name: the first statement that does, as a warning without its message.
+    pub map_places: BTreeMap<PathBuf, Diagnostic>,
     read: BTreeSet<PathBuf>,
     missing: bool,
 }
@@ -111,7 +113,11 @@ impl Libraries {
             return;
         }
         files.push(path.clone());
-        for (name, material) in read_mtl(&path, diagnostics).unwrap_or_default() {
+        let library = read_mtl(&path, diagnostics).unwrap_or_default();
+        for (file, place) in library.map_places {
+            self.map_places.entry(file).or_insert(place);
+        }
+        for (name, material) in library.materials {
             self.materials.entry(name).or_insert(material);
         }
     }

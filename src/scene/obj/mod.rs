@@ -52,7 +52,8 @@ fn read(file: &Path, diagnostics: &mut Diagnostics, files: &mut Vec<PathBuf>) ->
     match models {
         Ok((models, _)) if !broken => {
             let (parts, bounds) = parts::collect(models, &groups);
-            Some(assemble(&libraries, parts, bounds, &groups, diagnostics))
+            let model = assemble(&libraries, parts, bounds, &groups, diagnostics);
+            Some(Model { map_places: libraries.map_places, ..model })
         }
         Ok(_) => None,
         Err(error) => {
@@ -76,7 +77,7 @@ fn assemble(
     groups: &[Group],
     diagnostics: &mut Diagnostics,
 ) -> Model {
-    let mut model = Model { meshes: Vec::with_capacity(parts.len()), materials: BTreeMap::new(), bounds };
+    let mut model = Model { meshes: Vec::with_capacity(parts.len()), bounds, ..Model::default() };
     let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
     let mut unknown = BTreeSet::new();
     for (number, geometry) in parts {

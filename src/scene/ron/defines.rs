@@ -15,16 +15,18 @@ pub fn define_texts(defines: &[(String, String)]) -> Vec<Text> {
 /// Changes `root` as each define says, in order.
 ///
 /// `texts` are those of [`define_texts`] for the same `defines`. A value may be any RON, and a bare word where a string is meant.
+/// `plain` says which field a plain value at a path stands for, if any: it becomes that when another field is set beside it.
 pub fn apply_defines<'a>(
     root: &mut Node<'a>,
     defines: &[(String, String)],
     texts: &'a [Text],
+    plain: PlainField,
 ) -> Result<(), Diagnostic> {
     for ((path, _), text) in defines.iter().zip(texts) {
         let (path, value) = text.text.split_at(path.len());
         let value = parse_slice(text, &value[1..]).map_err(|error| about(path, error))?;
         let segments = segments(text, path)?;
-        set(root, text, &segments, value).map_err(|error| about(path, error))?;
+        set(root, &Define { text, path: &segments, plain }, 0, value).map_err(|error| about(path, error))?;
     }
     Ok(())
 }
@@ -59,31 +61,45 @@ fn segments<'a>(text: &'a Text, path: &'a str) -> Result<Vec<&'a str>, Diagnosti
     }
 }
 
-/// Puts `value` at the path below `node`; fields that are not there are added, items must be.
-fn set<'a>(node: &mut Node<'a>, text: &'a Text, path: &[&'a str], value: Node<'a>) -> Result<(), Diagnostic> {
-    let Some((segment, rest)) = path.split_first() else {
+/// The field that a plain value at a path stands for.
+type PlainField = fn(&[&str]) -> Option<&'static str>;
+
+/// A define that is being applied.
+struct Define<'d, 'a> {
+    text: &'a Text,
+    path: &'d [&'a str],
+    plain: PlainField,
+}
+
+/// Puts `value` at the path's parts from `depth` on, below `node`; fields that are not there are added, items must be.
+fn set<'a>(node: &mut Node<'a>, define: &Define<'_, 'a>, depth: usize, value: Node<'a>) -> Result<(), Diagnostic> {
+    let Define { text, path, plain } = *define;
+    let Some(segment) = path.get(depth).copied() else {
         *node = value;
         return Ok(());
     };
     if let Kind::Variant(_, Some(content)) = &mut node.kind {
-        return set(content, text, path, value);
+        return set(content, define, depth, value);
     }
     if matches!(&node.kind, Kind::Items(items) if items.is_empty()) {
         node.kind = Kind::Fields(Vec::new());
+    }
+    if let (Kind::Scalar, Some(field)) = (&node.kind, plain(&path[..depth])) {
+        node.kind = Kind::Fields(vec![(field.to_owned(), node.source, node.clone())]);
     }
     match &mut node.kind {
         Kind::Fields(fields) => {
             let at = fields.iter().position(|(name, ..)| name == segment).unwrap_or_else(|| {
                 let empty = Node { text, source: segment, kind: Kind::Fields(Vec::new()) };
-                fields.push(((*segment).to_owned(), segment, empty));
+                fields.push((segment.to_owned(), segment, empty));
                 fields.len() - 1
             });
-            set(&mut fields[at].2, text, rest, value)
+            set(&mut fields[at].2, define, depth + 1, value)
         }
         Kind::Items(items) => {
             let count = items.len();
             match segment.parse::<usize>().ok().and_then(|at| items.get_mut(at)) {
-                Some(item) => set(item, text, rest, value),
+                Some(item) => set(item, define, depth + 1, value),
                 None => Err(text.error(segment, format!("`{segment}` is none of the items 0 to {}", count - 1))),
             }
         }

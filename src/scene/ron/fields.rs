@@ -85,9 +85,20 @@ impl<'r, 'a> Fields<'r, 'a> {
 
     /// The node of a field, which counts as known from here on. `None` (RON's) is absent.
     pub fn get(&self, name: &'static str) -> Option<&'r Node<'a>> {
+        self.written(name).filter(|node| !matches!(node.kind, Kind::Variant("None", None)))
+    }
+
+    /// The same, of a field that may be `None`.
+    fn written(&self, name: &'static str) -> Option<&'r Node<'a>> {
         self.asked.borrow_mut().push(name);
-        let (.., node) = self.fields.iter().find(|(field, ..)| field == name)?;
-        (!matches!(node.kind, Kind::Variant("None", None))).then_some(node)
+        self.fields.iter().find(|(field, ..)| field == name).map(|(.., node)| node)
+    }
+
+    /// Reads a field that has parts, and may be `None`, by what reports by itself. `None` where it is absent or wrong.
+    pub fn part<T>(&self, name: &'static str, read: impl FnOnce(&Reader, &Node<'a>, &str) -> Option<T>) -> Option<T> {
+        let part = read(self.reader, self.written(name)?, &self.path_of(name));
+        self.sound.set(self.sound.get() && part.is_some());
+        part
     }
 
     /// Reports an error about the whole value.

@@ -20,7 +20,7 @@ pub enum MapUse {
 
 /// The name of the texture that a map comes to: equal for maps that read the same file in the same way, in whatever material.
 pub fn name(map: &TextureMap, used: MapUse) -> String {
-    let TextureMap { file, wrap, scale, offset, gain, base, channel, bump, flip_green } = map;
+    let TextureMap { file, wrap, scale, offset, gain, base, channel, bump, flip_green, alone: _, off: _ } = map;
     let mut name = match used {
         MapUse::Colour => format!("{}, colour", file.display()),
         MapUse::Number => format!("{}, number", file.display()),
@@ -48,7 +48,7 @@ pub fn name(map: &TextureMap, used: MapUse) -> String {
 }
 
 impl TextureMaps {
-    /// The maps there are, each with what it is looked up for.
+    /// The maps there are, those that are off too, each with what it is looked up for.
     pub fn uses(&self) -> impl Iterator<Item = (&TextureMap, MapUse)> {
         let Self { kd, ks, ns, ke, d, pr, pm, norm, bump } = self;
         let colours = [kd, ks, ke].map(|map| (map, MapUse::Colour));
@@ -57,9 +57,12 @@ impl TextureMaps {
         colours.into_iter().chain(numbers).chain(relief).filter_map(|(map, used)| Some((map.as_ref()?, used)))
     }
 
-    /// The same as entities, by the names of the textures that are there. A lobe that is GGX by `pr` has no use for `ns`.
+    /// Those that are on as entities, by the names of the textures that are there. A lobe that is GGX by `pr` has no use for `ns`.
     pub fn maps(&self, ggx: bool, textures: &BTreeMap<String, Entity>) -> Maps {
-        let find = |map: &Option<TextureMap>, used| textures.get(&name(map.as_ref()?, used)).copied();
+        let find = |map: &Option<TextureMap>, used| {
+            let map = map.as_ref().filter(|map| !map.off)?;
+            textures.get(&name(map, used)).copied()
+        };
         Maps {
             diffuse: find(&self.kd, MapUse::Colour),
             specular: find(&self.ks, MapUse::Colour),

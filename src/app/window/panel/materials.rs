@@ -1,10 +1,13 @@
-//! Every material with its numbers.
+//! Every material with its numbers and maps.
+
+use std::collections::BTreeMap;
 
 use bevy_ecs::prelude::*;
 use egui::{CollapsingHeader, DragValue, RichText, Slider, Ui};
 use glam::Vec3;
 
-use crate::components::{Material, Name};
+use super::maps::{self, Choices};
+use crate::components::{Maps, Material, Name, Texture};
 use crate::scene::{Colour, KEYS, Key, MtlMaterial, Range, Value};
 
 /// Colours nearer than this are taken as one.
@@ -12,19 +15,25 @@ const COLOUR_STEP: f32 = 1e-4;
 
 /// All materials by name, that under the pointer marked. Says whether one was written.
 pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>) -> bool {
-    let mut query = world.query::<(&Name, &mut MtlMaterial, &mut Material)>();
-    let mut materials: Vec<(&Name, Mut<MtlMaterial>, Mut<Material>)> = query.iter_mut(world).collect();
+    let textures = textures(world);
+    let choices = Choices::of(world.query::<&MtlMaterial>().iter(world));
+    let mut query = world.query::<(&Name, &mut MtlMaterial, &mut Material, &mut Maps)>();
+    let mut materials: Vec<(&Name, Mut<MtlMaterial>, Mut<Material>, Mut<Maps>)> = query.iter_mut(world).collect();
     materials.sort_by_key(|(name, ..)| *name);
     let mut edited = false;
-    for (name, numbers, material) in &mut materials {
+    for (name, numbers, material, rendered) in &mut materials {
         let title = RichText::new(name.as_str());
         let title = if seen == Some(name.as_str()) { title.strong().underline() } else { title };
         CollapsingHeader::new(title).id_salt(name.as_str()).show(ui, |ui| {
             let mut edit = (**numbers).clone();
             sliders(ui, &mut edit);
-            let comes_to = edit.material();
-            if numbers.set_if_neq(edit) {
+            maps::show(ui, &mut edit, &choices);
+            if edit != **numbers {
+                edit.moved(numbers);
+                let (comes_to, maps) = edit.rendered(&textures);
+                numbers.set_if_neq(edit);
                 material.set_if_neq(comes_to);
+                rendered.set_if_neq(maps);
                 edited = true;
             }
         });
@@ -35,10 +44,16 @@ pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>) -> bool {
     edited
 }
 
+/// The scene's textures, by their names.
+fn textures(world: &mut World) -> BTreeMap<String, Entity> {
+    let mut query = world.query_filtered::<(&Name, Entity), With<Texture>>();
+    query.iter(world).map(|(name, entity)| (name.as_str().to_owned(), entity)).collect()
+}
+
 /// The numbers of one material: a line for each key.
 fn sliders(ui: &mut Ui, material: &mut MtlMaterial) {
     egui::Grid::new("numbers").num_columns(2).show(ui, |ui| {
-        for key in KEYS {
+        for key in KEYS.iter().filter(|key| !matches!(key.value, Value::Map(..))) {
             ui.label(key.label());
             ui.horizontal(|ui| widget(ui, key, material));
             ui.end_row();
@@ -58,6 +73,8 @@ fn widget(ui: &mut Ui, key: &Key, material: &mut MtlMaterial) {
             ui.add(DragValue::new(at(material)).range(0..=most))
                 .on_hover_text(format!("{}: {}", look.kind, look.reason));
         }
+        // Maps have lines of their own.
+        Value::Map(..) => {}
     }
 }
 

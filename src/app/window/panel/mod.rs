@@ -3,6 +3,7 @@
 //! Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
 //! engine finds out by itself what it makes undone.
 
+mod maps;
 mod materials;
 mod passes;
 mod pixel;

@@ -1,16 +1,20 @@
 //! Scene files: what each field means, its range and its default.
 
+mod map;
+mod material;
+
 use std::collections::BTreeMap;
 
 use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 
-use super::diagnostic::{Diagnostic, Severity};
-use super::keys::{self, KEYS, Key, Range};
-use super::mtl::MtlMaterial;
+use super::diagnostic::Diagnostic;
 use super::ron::{Fields, Kind, Node, Reader};
 use super::settings::{Group, SETTINGS, Settings, Value};
 use super::suggest::known_names;
 use crate::components::{Camera, Crop, Film};
+use material::read_material;
+
+pub use material::{MaterialEntry, plain_field};
 
 /// The camera of scenes that have none.
 pub const DEFAULT_CAMERA: &str = "default";
@@ -51,62 +55,6 @@ pub enum EnvironmentEntry {
         /// An error about this entry, without its message.
         place: Box<Diagnostic>,
     },
-}
-
-/// Changes to the materials of one name.
-#[derive(Debug)]
-pub struct MaterialEntry {
-    pub name: String,
-    pub edit: MaterialEdit,
-    /// An error about this entry, without its message.
-    pub place: Diagnostic,
-}
-
-/// The numbers of a material that a scene file changes.
-#[derive(Clone, Debug, Default)]
-pub struct MaterialEdit {
-    /// Those that are given, and no other of `numbers`.
-    given: Vec<&'static Key>,
-    numbers: MtlMaterial,
-}
-
-impl MaterialEdit {
-    /// Whether it gives an `illum` of glass.
-    pub fn asks_for_glass(&self) -> bool {
-        self.gives("illum") && self.numbers.asks_for_glass()
-    }
-
-    /// Writes the given numbers over a material's.
-    pub fn apply(&self, material: &mut MtlMaterial) {
-        self.given.iter().for_each(|key| key.copy(&self.numbers, material));
-    }
-
-    fn gives(&self, field: &str) -> bool {
-        self.given.iter().any(|key| key.scene == field)
-    }
-
-    /// Reads the field of a key, where it is there and right.
-    fn read(&mut self, key: &'static Key, fields: &Fields) {
-        let numbers = &mut self.numbers;
-        let between =
-            |node: &Node, range: Range| node.number(range.least.into(), range.most.into()).map(|value| value as f32);
-        let found = match key.value {
-            keys::Value::Colour(colour, at) => fields
-                .read(key.scene, |node| node.colour(colour.most_in_scene().into()))
-                .map(|value| *at(numbers) = value),
-            keys::Value::Number(range, at) => {
-                fields.read(key.scene, |node| between(node, range)).map(|value| *at(numbers) = value)
-            }
-            keys::Value::Optional(range, at) => {
-                fields.read(key.scene, |node| between(node, range)).map(|value| *at(numbers) = Some(value))
-            }
-            keys::Value::Switch(at) => fields.read(key.scene, Node::boolean).map(|value| *at(numbers) = value),
-            keys::Value::Whole(most, at) => {
-                fields.read(key.scene, |node| node.integer(0, most)).map(|value| *at(numbers) = value)
-            }
-        };
-        self.given.extend(found.map(|()| key));
-    }
 }
 
 /// Types a tree; what is wrong goes to the reader, and the rest has its defaults.
@@ -324,16 +272,4 @@ fn read_map_environment(reader: &Reader, node: &Node) -> Option<EnvironmentEntry
     let sound = fields.finish();
     let entry = EnvironmentEntry::Map { path: path?, strength, place };
     sound.then_some(entry)
-}
-
-/// `(kd: (..), ks: (..), ns: 64, ke: (..), ..)`, all optional.
-fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<MaterialEdit> {
-    let fields = Fields::open(reader, node, path)?;
-    let mut edit = MaterialEdit::default();
-    KEYS.iter().for_each(|key| edit.read(key, &fields));
-    if let Some(node) = fields.get("illum").filter(|_| edit.gives("illum") && edit.numbers.illum == 10) {
-        let message = format!("{}: a shadow catcher is rendered as a surface for now", fields.path_of("illum"));
-        reader.push(node.text.at(Severity::Warning, node.source, message));
-    }
-    fields.finish().then_some(edit)
 }
