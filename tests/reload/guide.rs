@@ -139,3 +139,25 @@ fn another_choice_of_light_has_the_same_mean() {
     assert!(agree(before, after), "{before:?} {after:?}");
     assert!(before != after);
 }
+
+#[test]
+fn another_texture_filter_has_the_same_mean() {
+    let mut bench = bench(Integrator::Path);
+    // Of few texels, so that they are seen from near; the floor repeats it, so that its mean stays.
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 4, 4);
+    encoder.set_color(png::ColorType::Rgb);
+    let texels: Vec<u8> = (0..16).flat_map(|i| [if i % 3 == 0 { 255 } else { 90 }, 40 + 12 * i, 200]).collect();
+    encoder.write_header().unwrap().write_image_data(&texels).unwrap();
+    fs::write(bench.path("floor.png"), file).unwrap();
+    bench.write("room.mtl", &super::MTL.replace("Kd 0.5 0.5 0.5", "Kd 0.9 0.9 0.9\nmap_Kd floor.png"));
+    let floor = super::OBJ.replace("usemtl floor\nf 1 4 3 2", "vt 0 0\nvt 2 0\nvt 2 2\nvt 0 2\nusemtl floor\nf 1/1 4/4 3/3 2/2");
+    bench.write("room.obj", &floor);
+    bench.reloaded();
+    assert!(bench.engine.features().contains("textures"));
+    let before = mean(&mut bench);
+    perform(&mut bench, 4);
+    let after = mean(&mut bench);
+    assert!(agree(before, after), "{before:?} {after:?}");
+    assert!(before != after);
+}
