@@ -8,11 +8,11 @@ use bevy_ecs::query::QueryState;
 use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
 use crate::components::{
-    CameraItem, EnvironmentItem, Film, Geometry, Material, Name, Render, Texture, Transform, UsesMaterial,
+    CameraItem, EnvironmentItem, Film, Geometry, Maps, Material, Name, Render, Texture, Transform, UsesMaterial,
     rendered_camera, rendered_environment,
 };
 
-type Surface = (Entity, &'static Name, &'static Material, Option<&'static MtlMaterial>);
+type Surface = (Entity, &'static Name, &'static Material, Option<&'static MtlMaterial>, Option<&'static Maps>);
 type Mesh = (&'static Name, &'static Geometry, Option<&'static Transform>, Option<&'static UsesMaterial>);
 
 /// What the world holds now, edits included. Applied to another world, it makes that one equal; entities without a `Name`
@@ -21,9 +21,11 @@ pub fn describe(world: &World, name: &str) -> SceneDescription {
     let key = |name: &Name| name.as_str().to_owned();
     let mut materials = BTreeMap::new();
     let mut names: BTreeMap<Entity, String> = BTreeMap::new();
-    for (entity, name, material, numbers) in query::<Surface>(world).iter(world) {
+    let textures: BTreeMap<String, Entity> =
+        query::<(Entity, &Name, &Texture)>(world).iter(world).map(|(entity, name, _)| (key(name), entity)).collect();
+    for (entity, name, material, numbers, maps) in query::<Surface>(world).iter(world) {
         // Of a material that was edited by itself, what files said is not true any more.
-        let numbers = numbers.filter(|numbers| numbers.material() == *material).cloned();
+        let numbers = numbers.map(|numbers| numbers.as_rendered(material, maps.unwrap_or(&Maps::default()), &textures));
         materials.insert(key(name), numbers.unwrap_or_else(|| MtlMaterial::from(*material)));
         names.insert(entity, key(name));
     }

@@ -102,6 +102,21 @@ fn a_number_that_was_moved_counts_without_the_map_too() {
 }
 
 #[test]
+fn components_that_were_edited_by_themselves_are_described_as_they_are() {
+    let mut world = World::new();
+    apply(&mut world, &description());
+    let mut query = world.query::<(&mut Material, &mut Maps)>();
+    for (mut material, mut maps) in query.iter_mut(&mut world) {
+        if maps.diffuse.is_some() {
+            (material.diffuse, maps.opacity) = (Vec3::splat(0.125), None);
+        }
+    }
+    let (material, maps) = mapped(&mut world);
+    assert!(material.diffuse == Vec3::splat(0.125) && maps.diffuse.is_some() && maps.opacity.is_none());
+    assert_same_when_opened_fresh(&mut world);
+}
+
+#[test]
 fn maps_are_told_apart_by_use() {
     let description = description();
     let uses: Vec<MapUse> = description.materials.values().flat_map(|m| m.maps.uses()).map(|(_, used)| used).collect();

@@ -18,7 +18,7 @@ pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>) -> bool {
     let textures = textures(world);
     let choices = Choices::of(world.query::<&MtlMaterial>().iter(world));
     let mut query = world.query::<(&Name, &mut MtlMaterial, &mut Material, &mut Maps)>();
-    let mut materials: Vec<(&Name, Mut<MtlMaterial>, Mut<Material>, Mut<Maps>)> = query.iter_mut(world).collect();
+    let mut materials: Vec<_> = query.iter_mut(world).collect();
     materials.sort_by_key(|(name, ..)| *name);
     let mut edited = false;
     for (name, numbers, material, rendered) in &mut materials {
