@@ -1,6 +1,6 @@
 //! Small scenes for the tests of light transport.
 
-use glam::{DVec3, UVec2, Vec3};
+use glam::{DMat3, DVec3, UVec2, Vec3};
 use lucerna::components::{Camera, Crop, Energy, Lobe, Material, Passage};
 use lucerna::cpu::path::PathScene;
 use lucerna::cpu::rng::Source;
@@ -27,6 +27,8 @@ pub struct Room {
     pub environment: Vec3,
     /// A picture of the sky, in place of the constant environment.
     pub sky: Option<SkyTable>,
+    /// From directions of that picture to those of the scene.
+    pub sky_turn: DMat3,
     pub roulette: bool,
     pub sampler: Source,
     /// Integrator `Path`: lights are asked directly.
@@ -165,6 +167,7 @@ impl Room {
             lights: table.lights.len() as u32,
             light_density: table.density,
             sky: self.sky.as_ref().map_or(UVec2::ZERO, |sky| sky.size),
+            sky_turn: self.sky_turn.as_mat3(),
             sky_power: self.sky_power(),
         };
         lighting.write(&mut params, 1.0);
@@ -226,6 +229,7 @@ impl Room {
         scene.lights = self.next_event.then(|| self.lights());
         scene.sampler = self.sampler;
         scene.sky = self.sky.as_ref();
+        scene.sky_turn = self.sky_turn;
         scene
     }
 }

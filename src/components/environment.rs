@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
-use glam::{UVec2, Vec3};
+use glam::{DMat3, UVec2, Vec3};
 
 /// Light that arrives where no surface is hit.
 #[derive(Component, Clone, Debug, PartialEq)]
@@ -15,6 +15,10 @@ pub enum Environment {
         image: Arc<EnvironmentMap>,
         /// What the image's radiance is multiplied by, at least 0.
         strength: f32,
+        /// Linear Rec.709 that it is multiplied by too, each channel at least 0.
+        tint: Vec3,
+        /// A rotation: from directions of the image to those of the scene.
+        turn: DMat3,
     },
 }
 

@@ -1,6 +1,6 @@
 //! Light sampling in f64: the twin of `passes/trace/connect`, of `lib/light`, and so of the part of integrator `Path` that `Bsdf` lacks.
 
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 use super::alias::alias_pick;
 use super::sky::{SkySample, draw_sky, sky_arriving};
@@ -25,6 +25,8 @@ pub struct LightSampler<'a> {
     pub lights: &'a LightTable,
     /// None where it is not sampled.
     pub sky: Option<&'a SkyTable>,
+    /// From directions of its picture to those of the scene: a rotation.
+    pub sky_turn: DMat3,
     /// Probability of sampling one of the lights, and not the sky.
     pub light_share: f64,
 }
@@ -36,7 +38,7 @@ impl LightSampler<'_> {
             Some(sky) if self.lights.lights.is_empty() || pick >= self.light_share => {
                 let SkySample { direction, pdf, radiance, .. } = draw_sky(sky, u);
                 let pdf = pdf * self.sky_share();
-                LightSample { direction, pdf, radiance, triangle: None }
+                LightSample { direction: self.sky_turn * direction, pdf, radiance, triangle: None }
             }
             _ => {
                 let drawn = draw_light(self.lights, position, pick / self.light_share, u);
@@ -55,7 +57,7 @@ impl LightSampler<'_> {
 
     /// The density with which a direction that was found to meet the sky is drawn; none if that is not sampled.
     pub fn sky_pdf(&self, direction: DVec3) -> Option<f64> {
-        self.sky.map(|sky| self.sky_share() * sky_arriving(sky, direction).1)
+        self.sky.map(|sky| self.sky_share() * sky_arriving(sky, self.sky_turn.transpose() * direction).1)
     }
 
     fn sky_share(&self) -> f64 {

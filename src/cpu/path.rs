@@ -1,7 +1,7 @@
 //! The path kernel in f64, small and plain: the judge of `passes/trace/path`. The same estimator on the same random
 //! numbers, so that the two can be compared path by path.
 
-use glam::{DVec2, DVec3, UVec2};
+use glam::{DMat3, DVec2, DVec3, UVec2};
 
 use super::bsdf::dielectric::Interface;
 use super::bsdf::{Reflection, ShadingFrame};
@@ -31,6 +31,8 @@ pub struct PathScene<'a> {
     pub lights: Option<LightTable>,
     /// A picture of the sky, in place of the constant environment; sampled as the lights are.
     pub sky: Option<&'a SkyTable>,
+    /// From directions of that picture to those of the scene: a rotation.
+    pub sky_turn: DMat3,
 }
 
 /// One sample of one pixel.
@@ -52,6 +54,7 @@ impl<'a> PathScene<'a> {
             sampler: Source::Pcg,
             lights: None,
             sky: None,
+            sky_turn: DMat3::IDENTITY,
         }
     }
 
@@ -69,7 +72,9 @@ impl<'a> PathScene<'a> {
             traced.rays += 1;
             // Hits are within 1e-15 of the scene's size, so this leaves out the surface the ray starts on, and it alone.
             let Some(hit) = self.triangles.closest(origin, direction, 1e-9) else {
-                let sky = self.sky.map_or(params.environment.as_dvec3(), |sky| sky_arriving(sky, direction).0);
+                let sky = self.sky.map_or(params.environment.as_dvec3(), |sky| {
+                    sky_arriving(sky, self.sky_turn.transpose() * direction).0
+                });
                 let other = sampler.as_ref().and_then(|sampler| sampler.sky_pdf(direction));
                 traced.radiance += throughput * sky * weight_of_finding(pdf, other);
                 break;
@@ -135,7 +140,7 @@ impl<'a> PathScene<'a> {
         let lights = self.lights.as_ref()?;
         let sky = self.sky.filter(|sky| sky.power > 0.0);
         let any = sky.is_some() || !lights.lights.is_empty();
-        any.then(|| LightSampler { lights, sky, light_share: f64::from(params.light_share) })
+        any.then(|| LightSampler { lights, sky, sky_turn: self.sky_turn, light_share: f64::from(params.light_share) })
     }
 
     /// A light that is sampled, and what it adds for a throughput of 1 if nothing is in the way.

@@ -119,13 +119,18 @@ gpu_struct! {
         pub light_share: f32,
         /// Density by area with which a point of a light of unit luminance and one side is drawn.
         pub light_density: f32,
-        /// Density by solid angle with which a direction of unit luminance is drawn from the sky.
-        pub sky_density: f32,
+        pub pad0: u32,
+        /// The axes of the sky's picture as the scene has them, unit length: this one, its right half.
+        pub sky_x: Vec3,
         /// Pixels of the sky.
         pub sky_width: u32,
+        /// Its top.
+        pub sky_y: Vec3,
         pub sky_height: u32,
-        pub pad0: u32,
-        pub pad1: u32,
+        /// Away from its middle.
+        pub sky_z: Vec3,
+        /// Density by solid angle with which a direction of unit luminance is drawn from the sky.
+        pub sky_density: f32,
     }
 
     /// One sample of one pixel, as the trace kernel leaves it for the film.

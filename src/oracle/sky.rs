@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::choice::{Distribution, luminance};
 use super::random::Random;
@@ -14,20 +14,23 @@ pub struct Sky {
     width: usize,
     height: usize,
     pixels: Vec<DVec3>,
+    /// From directions of the picture to those of the scene.
+    turn: DMat3,
     /// Pixels by luminance times solid angle.
     choice: Distribution,
 }
 
 impl Sky {
     pub fn new(environment: &Environment) -> Self {
-        let (width, height, pixels) = match environment {
-            Environment::Constant(radiance) => (1, 1, vec![radiance.as_dvec3()]),
-            Environment::Map { image, strength } => {
-                let pixels = image.pixels.iter().map(|p| p.as_dvec3() * f64::from(*strength)).collect();
-                (image.size.x as usize, image.size.y as usize, pixels)
+        let (width, height, pixels, turn) = match environment {
+            Environment::Constant(radiance) => (1, 1, vec![radiance.as_dvec3()], DMat3::IDENTITY),
+            Environment::Map { image, strength, tint, turn } => {
+                let factor = f64::from(*strength) * tint.as_dvec3();
+                let pixels = image.pixels.iter().map(|p| p.as_dvec3() * factor).collect();
+                (image.size.x as usize, image.size.y as usize, pixels, *turn)
             }
         };
-        let mut sky = Self { width, height, pixels, choice: Distribution::default() };
+        let mut sky = Self { width, height, pixels, turn, choice: Distribution::default() };
         let power = |i: usize| luminance(sky.pixels[i]) * sky.solid_angle(i);
         sky.choice = Distribution::new((0..sky.pixels.len()).map(power));
         sky
@@ -55,10 +58,11 @@ impl Sky {
         let cos = low + (high - low) * random.unit();
         let turn = (column as f64 + random.unit()) / self.width as f64 - 0.5;
         let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        DVec3::new(sin * (TAU * turn).sin(), cos, -sin * (TAU * turn).cos())
+        self.turn * DVec3::new(sin * (TAU * turn).sin(), cos, -sin * (TAU * turn).cos())
     }
 
     fn pixel_at(&self, direction: DVec3) -> usize {
+        let direction = self.turn.inverse() * direction;
         let column = self.width as f64 * (0.5 + direction.x.atan2(-direction.z) / TAU);
         let row = self.height as f64 * direction.y.clamp(-1.0, 1.0).acos() / PI;
         (row as usize).min(self.height - 1) * self.width + (column as usize).min(self.width - 1)

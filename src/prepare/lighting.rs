@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use glam::UVec2;
+use glam::{Mat3, UVec2};
 
 use crate::layout::trace::TraceParams;
 
@@ -15,6 +15,8 @@ pub struct Lighting {
     pub light_density: f32,
     /// Pixels of the sky; zero without one.
     pub sky: UVec2,
+    /// From directions of its picture to those of the scene: a rotation.
+    pub sky_turn: Mat3,
     /// Integral of the sky's luminance over the sphere; 0 without one.
     pub sky_power: f64,
 }
@@ -40,6 +42,7 @@ impl Lighting {
         params.lights = self.lights;
         params.light_density = self.light_density * params.light_share;
         (params.sky_width, params.sky_height) = (self.sky.x, self.sky.y);
+        (params.sky_x, params.sky_y, params.sky_z) = (self.sky_turn.x_axis, self.sky_turn.y_axis, self.sky_turn.z_axis);
         params.sky_density =
             if self.sky_power > 0.0 { ((1.0 - f64::from(params.light_share)) / self.sky_power) as f32 } else { 0.0 };
     }

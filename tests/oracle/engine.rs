@@ -15,7 +15,7 @@ use lucerna::{Engine, scene};
 
 use crate::statistics::BATCHES;
 use crate::support;
-use crate::support::stage::{matte, sky_map};
+use crate::support::stage::{matte, sky_map, turned};
 
 use super::{compare, halves};
 
@@ -78,7 +78,7 @@ fn judge(name: &str, mut description: SceneDescription, integrator: Integrator, 
 fn equals_the_engine() {
     judge("cornell-box", shipped("cornell-box", 16), Integrator::Path, Sampler::Sobol, 256);
     let mut under_sky = shipped("teapot", 12);
-    under_sky.environment = Some(sky_map());
+    under_sky.environment = Some(turned(sky_map()));
     judge("teapot under a sky", under_sky, Integrator::Path, Sampler::Sobol, 100);
     if !support::stress() {
         return;

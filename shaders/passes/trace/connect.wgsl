@@ -83,7 +83,7 @@ fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f3
 
 @if(sky_light)
 fn draw_from_sky(params: TraceParams, u: vec2<f32>) -> LightSample {
-    let drawn = draw_sky(vec2<u32>(params.sky_width, params.sky_height), u);
+    let drawn = draw_sky(params, u);
     return LightSample(drawn.direction, sky_pdf(drawn.radiance, params.sky_density), drawn.radiance, NO_HIT, vec3<f32>(0.0), 0.0);
 }
 

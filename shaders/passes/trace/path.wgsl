@@ -204,7 +204,7 @@ fn incident_radiance(state: ptr<function, PathState>, hit: Hit, material: Materi
             light = params.environment;
         }
         @if(sky || sky_light) {
-            light = sky_radiance((*state).direction, vec2<u32>(params.sky_width, params.sky_height));
+            light = sky_radiance(params, (*state).direction);
         }
         @if(sky_light) {
             if ((*state).pdf > 0.0) {

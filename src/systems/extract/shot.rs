@@ -2,7 +2,7 @@
 
 use bevy_ecs::prelude::*;
 use bevy_ecs::query::QuerySingleError;
-use glam::Vec3;
+use glam::{Mat3, Vec3};
 
 use super::step::Step;
 use crate::components::{
@@ -103,10 +103,7 @@ fn extract_shot(
         QuerySingleError::MultipleEntities(_) => EngineError::ManyFilms,
     })?;
     let (_, _, camera) = rendered_camera(cameras).ok_or(EngineError::NoCamera)?;
-    let environment = match rendered_environment(environments) {
-        Some(Environment::Constant(radiance)) => *radiance,
-        Some(Environment::Map { .. }) | None => Vec3::ZERO,
-    };
+    let environment = rendered_environment(environments);
     let shot = shoot(camera, film, render, environment, &packed)?;
     if !shot.same(&extracted.shot) {
         *extracted.shot = shot;
@@ -126,9 +123,14 @@ fn shoot(
     camera: &Camera,
     film: &Film,
     render: &Render,
-    environment: Vec3,
+    environment: Option<&Environment>,
     packed: &Packed,
 ) -> Result<Shot, EngineError> {
+    let (environment, sky_turn) = match environment {
+        Some(Environment::Constant(radiance)) => (*radiance, Mat3::IDENTITY),
+        Some(Environment::Map { turn, .. }) => (Vec3::ZERO, turn.as_mat3()),
+        None => (Vec3::ZERO, Mat3::IDENTITY),
+    };
     let window = film.window();
     if window.min.cmpge(window.max).any() || window.max.cmpgt(film.size).any() {
         return Err(EngineError::EmptyFilm);
@@ -150,6 +152,7 @@ fn shoot(
         lights: packed.lights.len() as u32,
         light_density: packed.density.0,
         sky: sky.size,
+        sky_turn,
         sky_power: if render.integrator == Integrator::Path { sky.power } else { 0.0 },
     };
     lighting.write(&mut params, 0.5 * (geometry.high - geometry.low).length());

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
+use glam::Vec3;
 
 use super::step::Step;
 use crate::components::{Environment, EnvironmentItem, EnvironmentMap, Name, rendered_environment};
@@ -30,14 +31,14 @@ pub fn environment_changed(
     everything.0 || removed || !touched.is_empty()
 }
 
-/// Packs the environment's picture where it is another one, or of another strength.
+/// Packs the environment's picture where it is another one, or of another strength or tint. How it is turned, no table says.
 fn extract_sky(
     environments: Query<EnvironmentItem>,
     mut sky: ResMut<Sky>,
     mut cells: ResMut<GpuTable<SkyCell>>,
     mut columns: ResMut<GpuTable<AliasColumn>>,
 ) {
-    let Some(Environment::Map { image, strength }) = rendered_environment(environments) else {
+    let Some(Environment::Map { image, strength, tint, .. }) = rendered_environment(environments) else {
         if sky.source.is_some() {
             *sky = Sky::default();
             cells.set(Vec::new());
@@ -45,17 +46,15 @@ fn extract_sky(
         }
         return;
     };
-    let same = |(held, by): &(Arc<EnvironmentMap>, f32)| Arc::ptr_eq(held, image) && by.to_bits() == strength.to_bits();
+    let factor = *strength * *tint;
+    let bits = |factor: Vec3| factor.to_array().map(f32::to_bits);
+    let same = |(held, by): &(Arc<EnvironmentMap>, Vec3)| Arc::ptr_eq(held, image) && bits(*by) == bits(factor);
     if sky.source.as_ref().is_some_and(same) {
         return;
     }
-    let table = SkyTable::new(image.size, &image.pixels, *strength);
+    let table = SkyTable::new(image.size, &image.pixels, factor);
     cells.set(table.cells.into_iter().map(SkyCell).collect());
     columns.set(table.columns);
-    *sky = Sky {
-        source: Some((image.clone(), *strength)),
-        size: table.size,
-        power: table.power,
-        brightest: table.brightest,
-    };
+    *sky =
+        Sky { source: Some((image.clone(), factor)), size: table.size, power: table.power, brightest: table.brightest };
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec3, UVec2, Vec4};
+use glam::{DVec3, UVec2, Vec3, Vec4};
 
 use crate::components::{Energy, EnvironmentMap, Integrator, MeshData, Transform};
 use crate::gpu::TableRow;
@@ -104,8 +104,8 @@ impl Default for SceneGeometry {
 /// What came of the environment's picture.
 #[derive(Resource, Default, Clone, Debug)]
 pub struct Sky {
-    /// The picture that the tables are of, and its strength; none without one.
-    pub source: Option<(Arc<EnvironmentMap>, f32)>,
+    /// The picture that the tables are of, and what it was multiplied by; none without one.
+    pub source: Option<(Arc<EnvironmentMap>, Vec3)>,
     /// Pixels; zero without a picture.
     pub size: UVec2,
     /// Integral of the luminance over the sphere.
