@@ -10,7 +10,7 @@ use bevy_ecs::prelude::*;
 use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 use lucerna::Engine;
 use lucerna::components::{
-    Camera, Energy, Environment, EnvironmentMap, Film, Geometry, Material, Name, Render, Transform,
+    Camera, Daylight, Energy, Environment, EnvironmentMap, Film, Geometry, Material, Name, Render, Transform,
 };
 use lucerna::scene;
 use lucerna::shader::Library;
@@ -117,6 +117,20 @@ fn a_turned_sky_makes_and_sends_no_table() {
     assert_ne!(engine.film().unwrap().rgb, before.rgb);
     let tinted = map(Vec3::new(1.0, 0.5, 0.25), DMat3::from_rotation_x(1.0));
     let (_, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = tinted.clone()));
+    assert!(uploads.contains_key("sky"), "{uploads:?}");
+}
+
+#[test]
+fn a_sun_that_goes_around_sends_no_table() {
+    let mut engine = open();
+    let day = |azimuth, strength| {
+        let (turbidity, ground) = (3.0, Vec3::splat(0.3));
+        Environment::Daylight(Daylight { elevation: 40.0, azimuth, turbidity, ground, strength, sun_size: 0.533 })
+    };
+    after(&mut engine, |world| drop(world.spawn((Name::new("sky"), day(0.0, 1.0)))));
+    let (_, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = day(90.0, 1.0)));
+    assert_eq!(uploads.keys().copied().collect::<Vec<_>>(), ["params"], "{uploads:?}");
+    let (_, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = day(90.0, 2.0)));
     assert!(uploads.contains_key("sky"), "{uploads:?}");
 }
 

@@ -8,6 +8,7 @@ use super::bsdf::{Reflection, ShadingFrame};
 use super::connect::{LightSample, LightSampler, power_heuristic};
 use super::rng::{Source, sample_key};
 use super::sky::sky_arriving;
+use super::sun::SunDisk;
 use super::triangles::{HitF64, TriangleSet};
 use crate::layout::light::LightTable;
 use crate::layout::sky::SkyTable;
@@ -67,16 +68,18 @@ impl<'a> PathScene<'a> {
         let mut pdf = 0.0;
         let mut eta_scale = 1.0;
         let sampler = self.light_sampler(params);
+        let sun = SunDisk::new(params);
         let mut traced = Traced::default();
         for bounce in 0..params.max_depth {
             traced.rays += 1;
             // Hits are within 1e-15 of the scene's size, so this leaves out the surface the ray starts on, and it alone.
             let Some(hit) = self.triangles.closest(origin, direction, 1e-9) else {
-                let sky = self.sky.map_or(params.environment.as_dvec3(), |sky| {
-                    sky_arriving(sky, self.sky_turn.transpose() * direction).0
-                });
+                let to_picture = self.sky_turn.transpose();
+                let sky =
+                    self.sky.map_or(params.environment.as_dvec3(), |sky| sky_arriving(sky, to_picture * direction).0);
+                let sun = sun.filter(|sun| sun.covers(direction)).map_or(DVec3::ZERO, |sun| sun.radiance);
                 let other = sampler.as_ref().and_then(|sampler| sampler.sky_pdf(direction));
-                traced.radiance += throughput * sky * weight_of_finding(pdf, other);
+                traced.radiance += throughput * (sky + sun) * weight_of_finding(pdf, other);
                 break;
             };
             let material = &self.materials[hit.triangle.material as usize];
@@ -140,7 +143,14 @@ impl<'a> PathScene<'a> {
         let lights = self.lights.as_ref()?;
         let sky = self.sky.filter(|sky| sky.power > 0.0);
         let any = sky.is_some() || !lights.lights.is_empty();
-        any.then(|| LightSampler { lights, sky, sky_turn: self.sky_turn, light_share: f64::from(params.light_share) })
+        any.then(|| LightSampler {
+            lights,
+            sky,
+            sky_turn: self.sky_turn,
+            light_share: f64::from(params.light_share),
+            sun: SunDisk::new(params),
+            sun_end: f64::from(params.sun_end),
+        })
     }
 
     /// A light that is sampled, and what it adds for a throughput of 1 if nothing is in the way.

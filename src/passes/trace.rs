@@ -49,6 +49,8 @@ pub struct Needs<'a> {
     pub sky: bool,
     /// It is sampled.
     pub sky_light: bool,
+    /// Beside the picture there is a sun; sampled if that is.
+    pub sun: bool,
     /// Emitting triangles are sampled.
     pub lights: bool,
     /// Some mesh has normals of its own.
@@ -79,6 +81,7 @@ impl Needs<'_> {
             ("sky", self.sky && !self.sky_light),
             ("sky_light", self.sky_light),
             ("sobol", self.sobol),
+            ("sun", self.sun),
         ];
         wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }

@@ -157,6 +157,7 @@ impl Loader {
     fn read_environment(&mut self, folder: &Path, entry: EnvironmentEntry) -> Option<Environment> {
         match entry {
             EnvironmentEntry::Constant(radiance) => Some(Environment::Constant(radiance)),
+            EnvironmentEntry::Daylight(day) => Some(Environment::Daylight(day)),
             EnvironmentEntry::Map { path, strength, tint, turn, place } => {
                 let path = folder.join(path.replace('\\', "/"));
                 self.files.push(path.clone());

@@ -4,8 +4,10 @@
 import package::gen::{TraceParams};
 @if(sky_light) import package::lib::alias::{alias_pick};
 import package::lib::colour::{luminance};
+@if(sky_light) import package::lib::light::{power_heuristic};
 import package::lib::sky::{sky_cell};
 @if(sky_light) import package::lib::sky::{sky_direction};
+@if(sun) import package::lib::sun::{sun_covers};
 
 @group(0) @binding(7) var<storage, read> sky: array<vec4<f32>>;
 @if(sky_light) @group(0) @binding(8) var<storage, read> sky_columns: array<AliasColumn>;
@@ -31,6 +33,22 @@ fn sky_radiance(params: TraceParams, direction: vec3<f32>) -> vec3<f32> {
 @if(sky_light)
 fn sky_pdf(radiance: vec3<f32>, density: f32) -> f32 {
     return luminance(radiance) * density;
+}
+
+// What arrives from sky and sun along a direction, times the part of it that finding it so counts for; `pdf` is the density with which
+// the direction was drawn, 0 where it could have been no other.
+fn sky_found(params: TraceParams, direction: vec3<f32>, pdf: f32) -> vec3<f32> {
+    var light = sky_radiance(params, direction);
+    @if(sky_light) var asked = sky_pdf(light, params.sky_density);
+    @if(sun) let covered = sun_covers(params.sun_direction, params.sun_chord_squared, direction);
+    @if(sun) light += select(vec3<f32>(0.0), params.sun_radiance, covered);
+    @if(sun && sky_light) asked += select(0.0, params.sun_density, covered);
+    @if(sky_light) {
+        if (pdf > 0.0) {
+            light *= power_heuristic(pdf, asked);
+        }
+    }
+    return light;
 }
 
 @if(sky_light)

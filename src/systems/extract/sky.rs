@@ -1,16 +1,15 @@
 //! The picture of the environment to pixels and the tables by which directions are drawn from it.
 
-use std::sync::Arc;
-
 use bevy_ecs::prelude::*;
 use glam::Vec3;
 
 use super::step::Step;
-use crate::components::{Environment, EnvironmentItem, EnvironmentMap, Name, rendered_environment};
+use crate::components::{Daylight, Environment, EnvironmentItem, Name, rendered_environment};
 use crate::gpu::GpuTable;
 use crate::layout::alias::AliasColumn;
 use crate::layout::sky::SkyTable;
-use crate::systems::resources::{Everything, Sky, SkyCell};
+use crate::prepare::daylight;
+use crate::systems::resources::{Everything, Sky, SkyCell, SkySource};
 use crate::systems::run::counted;
 
 type Touched = (With<Environment>, Or<(Changed<Environment>, Changed<Name>)>);
@@ -38,23 +37,26 @@ fn extract_sky(
     mut cells: ResMut<GpuTable<SkyCell>>,
     mut columns: ResMut<GpuTable<AliasColumn>>,
 ) {
-    let Some(Environment::Map { image, strength, tint, .. }) = rendered_environment(environments) else {
-        if sky.source.is_some() {
-            *sky = Sky::default();
-            cells.set(Vec::new());
-            columns.set(Vec::new());
+    let source = match rendered_environment(environments) {
+        Some(Environment::Map { image, strength, tint, .. }) => SkySource::Map(image.clone(), *strength * *tint),
+        Some(Environment::Daylight(day)) => SkySource::Daylight(Daylight { azimuth: 0.0, ..*day }),
+        Some(Environment::Constant(_)) | None => {
+            if sky.source.is_some() {
+                *sky = Sky::default();
+                cells.set(Vec::new());
+                columns.set(Vec::new());
+            }
+            return;
         }
-        return;
     };
-    let factor = *strength * *tint;
-    let bits = |factor: Vec3| factor.to_array().map(f32::to_bits);
-    let same = |(held, by): &(Arc<EnvironmentMap>, Vec3)| Arc::ptr_eq(held, image) && bits(*by) == bits(factor);
-    if sky.source.as_ref().is_some_and(same) {
+    if sky.source.as_ref().is_some_and(|held| held.same(&source)) {
         return;
     }
-    let table = SkyTable::new(image.size, &image.pixels, factor);
+    let table = match &source {
+        SkySource::Map(image, factor) => SkyTable::new(image.size, &image.pixels, *factor),
+        SkySource::Daylight(day) => SkyTable::new(daylight::SIZE, &daylight::sky_pixels(day), Vec3::ONE),
+    };
     cells.set(table.cells.into_iter().map(SkyCell).collect());
     columns.set(table.columns);
-    *sky =
-        Sky { source: Some((image.clone(), factor)), size: table.size, power: table.power, brightest: table.brightest };
+    *sky = Sky { source: Some(source), size: table.size, power: table.power, brightest: table.brightest };
 }

@@ -11,5 +11,6 @@ pub use device::{Budget, Device, Frame, Live, Spent, Tree, TreeBuilder, Viewed};
 pub use film::{Batch, FilmProgress};
 pub use governor::Governor;
 pub use scene::{
-    Everything, Exposure, LightDensity, MaterialSlot, MeshSlot, Policy, SceneGeometry, Shot, Sky, SkyCell, Target,
+    Everything, Exposure, LightDensity, MaterialSlot, MeshSlot, Policy, SceneGeometry, Shot, Sky, SkyCell, SkySource,
+    Target,
 };
