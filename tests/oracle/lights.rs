@@ -6,7 +6,7 @@ use lucerna::components::{Environment, Material};
 use lucerna::oracle::Picture;
 
 use crate::statistics::BATCHES;
-use crate::support::stage::{Stage, quad, sky_map, turned};
+use crate::support::stage::{Stage, quad, sky_map};
 
 use super::{SMALL, batch, compare, glass, halves, mirror, rough, shiny, veil};
 
@@ -41,7 +41,7 @@ fn asking_lights_changes_no_mean() {
     let rooms: [(&str, [Material; 2], Option<Environment>, Samples); 3] = [
         ("shiny and rough", [shiny(), rough()], None, (450, 1000)),
         ("mirror and glass", [mirror(), glass()], Some(Environment::Constant(Vec3::new(0.3, 0.4, 0.5))), (128, 700)),
-        ("veil and rough", [veil(), rough()], Some(turned(sky_map())), (128, 700)),
+        ("veil and rough", [veil(), rough()], Some(sky_map()), (128, 700)),
     ];
     for (name, balls, sky, samples) in rooms {
         let mut stage = Stage::room(SMALL, balls);

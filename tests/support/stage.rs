@@ -119,14 +119,3 @@ pub fn sky_map() -> Environment {
         turn: DMat3::IDENTITY,
     }
 }
-
-/// The same, turned about no axis of the picture, and tinted.
-pub fn turned(sky: Environment) -> Environment {
-    let turn = DMat3::from_rotation_z(-0.9) * DMat3::from_rotation_y(2.2) * DMat3::from_rotation_x(0.4);
-    match sky {
-        Environment::Map { image, strength, .. } => {
-            Environment::Map { image, strength, tint: Vec3::new(1.0, 0.8, 0.5), turn }
-        }
-        other => other,
-    }
-}
