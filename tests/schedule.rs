@@ -107,7 +107,9 @@ fn a_turned_sky_makes_and_sends_no_table() {
     let image = Arc::new(EnvironmentMap { size: UVec2::new(2, 2), pixels });
     let map = |tint, turn| Environment::Map { image: image.clone(), strength: 1.0, tint, turn };
     let sky = map(Vec3::ONE, DMat3::IDENTITY);
-    let (_, uploads) = after(&mut engine, |world| drop(world.spawn((Name::new("sky"), sky))));
+    let (_, uploads) = after(&mut engine, |world| {
+        world.spawn((Name::new("sky"), sky));
+    });
     assert!(uploads.contains_key("sky") && uploads.contains_key("sky_columns"), "{uploads:?}");
     let before = engine.film().unwrap();
     let turned = map(Vec3::ONE, DMat3::from_rotation_x(1.0));
@@ -127,7 +129,9 @@ fn a_sun_that_goes_around_sends_no_table() {
         let (turbidity, ground) = (3.0, Vec3::splat(0.3));
         Environment::Daylight(Daylight { elevation: 40.0, azimuth, turbidity, ground, strength, sun_size: 0.533 })
     };
-    after(&mut engine, |world| drop(world.spawn((Name::new("sky"), day(0.0, 1.0)))));
+    after(&mut engine, |world| {
+        world.spawn((Name::new("sky"), day(0.0, 1.0)));
+    });
     let (_, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = day(90.0, 1.0)));
     assert_eq!(uploads.keys().copied().collect::<Vec<_>>(), ["params"], "{uploads:?}");
     let (_, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = day(90.0, 2.0)));
