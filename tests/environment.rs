@@ -171,3 +171,37 @@ fn a_sky_that_can_not_be_read_is_told_at_its_line() {
         assert!(error.help.as_ref().is_some_and(|help| !help.contains("triangles")), "{text}");
     }
 }
+
+#[test]
+fn a_map_is_turned_as_models_are_and_tinted() {
+    let fields = "2, tint: (1, 0.5, 0.25), rotate_z: 30, rotate_x: -40, rotate_y: 1000";
+    let folder = folder(fields, &[(1.0, 2.0, 3.0)]);
+    let text = std::fs::read_to_string(folder.path().join("a.ron")).unwrap();
+    let turned = "path: \"a.obj\", transform: (rotate_x: -40, rotate_y: 1000, rotate_z: 30)";
+    std::fs::write(folder.path().join("a.ron"), text.replace("path: \"a.obj\"", turned)).unwrap();
+    let description = load(folder.path()).description;
+    let Some(Environment::Map { strength, tint, turn, .. }) = &description.environment else { panic!("no picture") };
+    assert_eq!((*strength, *tint), (2.0, Vec3::new(1.0, 0.5, 0.25)));
+    assert_eq!(*turn, description.meshes.values().next().unwrap().transform.0.matrix3);
+    assert!((turn.determinant() - 1.0).abs() < 1e-12);
+    // Tint and strength are factors of what is seen.
+    let plain = rendered(&load(self::folder("1", &[(1.0, 2.0, 3.0)]).path()), Integrator::Bsdf);
+    let tinted = self::folder("2, tint: (1, 0.5, 0.25)", &[(1.0, 2.0, 3.0)]);
+    let tinted = rendered(&load(tinted.path()), Integrator::Bsdf);
+    assert!((tinted / plain).abs_diff_eq(Vec3::new(2.0, 1.0, 0.5), 1e-5), "{tinted} of {plain}");
+}
+
+#[test]
+fn wrong_fields_of_a_map_are_told_where_they_are() {
+    for (fields, place, words) in [
+        ("1, tint: (1, -1, 1)", "a.ron:5:58", ["environment.tint", "0 to 1000"]),
+        ("1, rotate_y: north", "a.ron:5:62", ["environment.rotate_y", "number"]),
+        ("1, rotate: 3", "a.ron:5:52", ["unknown field `environment.rotate`", "rotate_x"]),
+    ] {
+        let folder = folder(fields, &[]);
+        let errors = scene::load(&folder.path().join("a.ron"), &[]).unwrap_err();
+        let [error] = &errors.list[..] else { panic!("{errors}") };
+        let text = format!("{error} {}", error.help.as_deref().unwrap_or(""));
+        assert!(text.contains(place) && words.iter().all(|word| text.contains(word)), "{text}");
+    }
+}

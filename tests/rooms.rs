@@ -1,6 +1,6 @@
 //! Small scenes for the tests of light transport.
 
-use glam::{DVec3, UVec2, Vec3};
+use glam::{DMat3, DVec3, UVec2, Vec3};
 use lucerna::components::{Camera, Crop, Energy, Lobe, Material, Passage};
 use lucerna::cpu::path::PathScene;
 use lucerna::cpu::rng::Source;
@@ -8,7 +8,7 @@ use lucerna::cpu::tree;
 use lucerna::gpu::Runtime;
 use lucerna::layout::film::film_exponent;
 use lucerna::layout::light::LightTable;
-use lucerna::layout::sky::SkyTable;
+use lucerna::layout::sky::{SkyTable, Sun};
 use lucerna::layout::trace::{MaterialRecord, Shading, TraceParams};
 use lucerna::layout::tree::{Triangle, root};
 use lucerna::passes::Recording;
@@ -27,6 +27,10 @@ pub struct Room {
     pub environment: Vec3,
     /// A picture of the sky, in place of the constant environment.
     pub sky: Option<SkyTable>,
+    /// From directions of that picture to those of the scene.
+    pub sky_turn: DMat3,
+    /// Beside that picture.
+    pub sun: Option<Sun>,
     pub roulette: bool,
     pub sampler: Source,
     /// Integrator `Path`: lights are asked directly.
@@ -165,7 +169,9 @@ impl Room {
             lights: table.lights.len() as u32,
             light_density: table.density,
             sky: self.sky.as_ref().map_or(UVec2::ZERO, |sky| sky.size),
+            sky_turn: self.sky_turn.as_mat3(),
             sky_power: self.sky_power(),
+            sun: self.sun,
         };
         lighting.write(&mut params, 1.0);
         params
@@ -186,7 +192,8 @@ impl Room {
 
     /// Exponent of a film for this scene.
     pub fn exponent(&self) -> i32 {
-        let brightest = self.environment.max(Vec3::splat(self.sky.as_ref().map_or(0.0, |sky| sky.brightest)));
+        let sun = self.sun.map_or(Vec3::ZERO, |sun| sun.radiance);
+        let brightest = sun.max(self.environment).max(Vec3::splat(self.sky.as_ref().map_or(0.0, |sky| sky.brightest)));
         film_exponent(trace::largest_emission(&self.materials, &[], &[], brightest))
     }
 
@@ -196,7 +203,19 @@ impl Room {
         let lights = !self.lights().lights.is_empty();
         let sobol = self.sampler == Source::Sobol;
         let (sky, sky_light) = (self.sky.is_some(), self.sky_power() > 0.0);
-        trace::Needs { materials, maps: &[], environment, sky, sky_light, normals, roulette, lights, sobol }.features()
+        trace::Needs {
+            materials,
+            maps: &[],
+            environment,
+            sky,
+            sky_light,
+            sun: self.sun.is_some(),
+            normals,
+            roulette,
+            lights,
+            sobol,
+        }
+        .features()
     }
 
     /// Uploads the scene and its tree, and switches its features on.
@@ -226,6 +245,7 @@ impl Room {
         scene.lights = self.next_event.then(|| self.lights());
         scene.sampler = self.sampler;
         scene.sky = self.sky.as_ref();
+        scene.sky_turn = self.sky_turn;
         scene
     }
 }

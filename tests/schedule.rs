@@ -2,13 +2,16 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Duration;
 
 use bevy_ecs::component::Mutable;
 use bevy_ecs::prelude::*;
-use glam::{DAffine3, DVec3, Vec3};
+use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 use lucerna::Engine;
-use lucerna::components::{Camera, Energy, Environment, Film, Geometry, Material, Name, Render, Transform};
+use lucerna::components::{
+    Camera, Daylight, Energy, Environment, EnvironmentMap, Film, Geometry, Material, Name, Render, Transform,
+};
 use lucerna::scene;
 use lucerna::shader::Library;
 
@@ -96,6 +99,44 @@ const RESTARTS: &[Row] = &[
     ),
     ("environment", add_sky, &["extract_sky", "extract_shot"], &[]),
 ];
+
+#[test]
+fn a_turned_sky_makes_and_sends_no_table() {
+    let mut engine = open();
+    let pixels = vec![Vec3::ONE, Vec3::X, Vec3::Y, Vec3::Z];
+    let image = Arc::new(EnvironmentMap { size: UVec2::new(2, 2), pixels });
+    let map = |tint, turn| Environment::Map { image: image.clone(), strength: 1.0, tint, turn };
+    let sky = map(Vec3::ONE, DMat3::IDENTITY);
+    let (_, uploads) = after(&mut engine, |world| {
+        world.spawn((Name::new("sky"), sky));
+    });
+    assert!(uploads.contains_key("sky") && uploads.contains_key("sky_columns"), "{uploads:?}");
+    let before = engine.film().unwrap();
+    let turned = map(Vec3::ONE, DMat3::from_rotation_x(1.0));
+    let (entered, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = turned.clone()));
+    assert_eq!(entered, with(&["extract_shot", "extract_sky"], &FILM));
+    assert_eq!(uploads.keys().copied().collect::<Vec<_>>(), ["params"], "{uploads:?}");
+    assert_ne!(engine.film().unwrap().rgb, before.rgb);
+    let tinted = map(Vec3::new(1.0, 0.5, 0.25), DMat3::from_rotation_x(1.0));
+    let (_, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = tinted.clone()));
+    assert!(uploads.contains_key("sky"), "{uploads:?}");
+}
+
+#[test]
+fn a_sun_that_goes_around_sends_no_table() {
+    let mut engine = open();
+    let day = |azimuth, strength| {
+        let (turbidity, ground) = (3.0, Vec3::splat(0.3));
+        Environment::Daylight(Daylight { elevation: 40.0, azimuth, turbidity, ground, strength, sun_size: 0.533 })
+    };
+    after(&mut engine, |world| {
+        world.spawn((Name::new("sky"), day(0.0, 1.0)));
+    });
+    let (_, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = day(90.0, 1.0)));
+    assert_eq!(uploads.keys().copied().collect::<Vec<_>>(), ["params"], "{uploads:?}");
+    let (_, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = day(90.0, 2.0)));
+    assert!(uploads.contains_key("sky"), "{uploads:?}");
+}
 
 fn add_sky(world: &mut World) {
     world.spawn((Name::new("sky"), Environment::Constant(Vec3::splat(0.5))));

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::{DVec2, DVec3, UVec2, Vec3, Vec4};
+use glam::{DMat3, DVec2, DVec3, UVec2, Vec3, Vec4};
 use lucerna::cpu::rng::{sample_2d, sample_key};
 use lucerna::cpu::sky::{draw_sky, sky_arriving, sky_cell};
 use lucerna::gpu::Runtime;
@@ -13,7 +13,7 @@ use lucerna::prepare::lighting::Lighting;
 use lucerna::scene::generate::SplitMix;
 use lucerna::shader::Library;
 
-use crate::path::{against_twin, small};
+use crate::path::{against_twin, samples, small};
 use crate::rooms::{Room, matte, shiny};
 use crate::statistics::{CHI_SQUARE_LIMIT, chi_square_z};
 use crate::support;
@@ -30,7 +30,7 @@ import package::passes::trace::sky::{draw_column, sky_pdf, sky_radiance};
 
 // What a ray that leaves the scene in a direction takes its density to be.
 fn found(direction: vec3<f32>) -> f32 {
-    return sky_pdf(sky_radiance(direction, vec2<u32>(params.sky_width, params.sky_height)), params.sky_density);
+    return sky_pdf(sky_radiance(params, direction), params.sky_density);
 }
 
 @compute @workgroup_size(64)
@@ -136,10 +136,10 @@ fn uneven(size: UVec2) -> SkyTable {
         .collect();
     let sun = (size.y / 3 * size.x + size.x / 5) as usize;
     pixels[sun] = Vec3::ZERO;
-    let rest = SkyTable::new(size, &pixels, 1.0).power;
+    let rest = SkyTable::new(size, &pixels, Vec3::ONE).power;
     let grey = if rest > 0.0 { rest / solid_angle(size, size.y / 3) } else { 1.0 };
     pixels[sun] = Vec3::splat(grey as f32);
-    SkyTable::new(size, &pixels, 0.8)
+    SkyTable::new(size, &pixels, Vec3::splat(0.8))
 }
 
 fn solid_angle(size: UVec2, row: u32) -> f64 {
@@ -185,7 +185,7 @@ fn draws_equal_the_f64_twin_and_what_a_hit_finds() {
 #[test]
 fn a_sky_too_dim_for_a_density_has_no_power() {
     for (grey, power) in [(1e-37, true), (1e-40, false), (0.0, false)] {
-        let sky = SkyTable::new(UVec2::new(2, 1), &[Vec3::splat(grey), Vec3::ZERO], 1.0);
+        let sky = SkyTable::new(UVec2::new(2, 1), &[Vec3::splat(grey), Vec3::ZERO], Vec3::ONE);
         assert_eq!(sky.power > 0.0, power, "{grey:e}");
         assert!(params_of(&sky).sky_density.is_finite());
     }
@@ -297,7 +297,7 @@ fn a_sun_of_one_pixel_in_a_wide_row_gets_its_share() {
     let sun = 4567;
     pixels[sun] = Vec3::splat(1e5);
     pixels[sun + 1] = Vec3::ZERO;
-    let sky = SkyTable::new(size, &pixels, 1.0);
+    let sky = SkyTable::new(size, &pixels, Vec3::ONE);
     let mut rig = rig(Library::shipped(), &sky);
     rig.upload("counts", &vec![0u32; size.x as usize]).unwrap();
     play(&mut rig, &COUNT, &sky, 1 << 16);
@@ -334,6 +334,14 @@ fn paths_under_a_sky_equal_the_f64_twin() {
         let room = outdoors(lamp);
         against_twin(&room, Library::shipped(), &small(&room)).unwrap_or_else(|why| panic!("lamp {lamp}: {why}"));
     }
+    let sky_turn = tilt();
+    for lamp in [false, true] {
+        let room = Room { sky_turn, ..outdoors(lamp) };
+        against_twin(&room, Library::shipped(), &small(&room))
+            .unwrap_or_else(|why| panic!("turned, lamp {lamp}: {why}"));
+    }
+    let found = Room { next_event: false, sky_turn, ..outdoors(true) };
+    against_twin(&found, Library::shipped(), &small(&found)).unwrap();
     let found = Room { next_event: false, ..outdoors(true) };
     against_twin(&found, Library::shipped(), &small(&found)).unwrap();
     let room = outdoors(true);
@@ -344,4 +352,37 @@ fn paths_under_a_sky_equal_the_f64_twin() {
         let failed = against_twin(&room, planted(module, right, wrong), &small(&room)).is_err();
         assert!(failed, "{wrong} in {module} went unnoticed");
     }
+}
+
+/// A turn about no axis of the picture.
+fn tilt() -> DMat3 {
+    DMat3::from_rotation_z(-0.9) * DMat3::from_rotation_y(2.2) * DMat3::from_rotation_x(0.4)
+}
+
+#[test]
+fn a_turned_sky_is_drawn_from_and_found_where_it_is() {
+    let turned =
+        planted("passes/trace/sky", "SkySample(to_scene(params, direction)", "SkySample(to_picture(params, direction)");
+    let unturned = planted("passes/trace/sky", "sky_cell(to_picture(params, direction)", "sky_cell((direction)");
+    let room = Room { sky_turn: tilt(), ..outdoors(false) };
+    for (wrong, library) in [("drawn the wrong way round", turned), ("found unturned", unturned)] {
+        assert!(against_twin(&room, library, &small(&room)).is_err(), "a sky {wrong} went unnoticed");
+    }
+}
+
+#[test]
+fn a_sky_that_is_not_turned_is_the_same_to_the_bit_as_without_turns() {
+    let text = std::fs::read_to_string("shaders/passes/trace/sky.wgsl").unwrap();
+    let plain = text
+        .replace("to_picture(params, direction),", "direction,")
+        .replace("to_scene(params, direction),", "direction,");
+    assert_eq!(text.matches("(params, direction),").count(), 2, "the turns are elsewhere");
+    let room = outdoors(true);
+    let traced = |library: Library| {
+        let mut rig = Runtime::new(support::gpu(), library);
+        room.load(&mut rig);
+        let params = TraceParams { layers: 8, ..room.params(UVec2::splat(64)) };
+        samples(&mut rig, &params).iter().map(|s| (s.rgb.to_array().map(f32::to_bits), s.info)).collect::<Vec<_>>()
+    };
+    assert!(traced(Library::shipped()) == traced(Library::shipped().with("passes/trace/sky", &plain)));
 }

@@ -22,7 +22,7 @@ mod texture;
 
 pub use bevy_ecs::name::Name;
 pub use camera::{Active, Camera};
-pub use environment::{Environment, EnvironmentMap};
+pub use environment::{Daylight, Environment, EnvironmentMap};
 pub use film::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Sampler, TextureFilter};
 pub use material::{Lobe, Material, Passage};
 pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};

@@ -1,9 +1,10 @@
 //! Light sampling in f64: the twin of `passes/trace/connect`, of `lib/light`, and so of the part of integrator `Path` that `Bsdf` lacks.
 
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 use super::alias::alias_pick;
-use super::sky::{SkySample, draw_sky, sky_arriving};
+use super::sky::{draw_sky, sky_arriving};
+use super::sun::SunDisk;
 use crate::layout::light::{LightRecord, LightTable};
 use crate::layout::sky::SkyTable;
 use crate::layout::trace::luminance;
@@ -13,7 +14,7 @@ use crate::layout::trace::luminance;
 pub struct LightSample {
     /// Unit length.
     pub direction: DVec3,
-    /// By solid angle, of lights and sky together; 0 where nothing arrives.
+    /// By solid angle, of lights, sky and sun together; 0 where nothing arrives.
     pub pdf: f64,
     pub radiance: DVec3,
     /// Index of the light's triangle in scene order; none for the sky.
@@ -27,8 +28,14 @@ pub struct LightSampler<'a> {
     pub lights: &'a LightTable,
     /// None where it is not sampled.
     pub sky: Option<&'a SkyTable>,
+    /// From directions of its picture to those of the scene: a rotation.
+    pub sky_turn: DMat3,
     /// Probability of sampling one of the lights, and not the sky.
     pub light_share: f64,
+    /// None without one; sampled if the sky is.
+    pub sun: Option<SunDisk>,
+    /// Picks from `light_share` to this are of the sun.
+    pub sun_end: f64,
 }
 
 impl LightSampler<'_> {
@@ -36,8 +43,11 @@ impl LightSampler<'_> {
     pub fn draw(&self, position: DVec3, pick: f64, u: DVec2) -> LightSample {
         match self.sky {
             Some(sky) if self.lights.lights.is_empty() || pick >= self.light_share => {
-                let SkySample { direction, pdf, radiance, .. } = draw_sky(sky, u);
-                let pdf = pdf * self.sky_share();
+                let direction = match &self.sun {
+                    Some(sun) if pick < self.sun_end => sun.draw(u),
+                    _ => self.sky_turn * draw_sky(sky, u).direction,
+                };
+                let (radiance, pdf) = self.beyond(sky, direction);
                 LightSample { direction, pdf, radiance, triangle: None, weights: [0.0; 2] }
             }
             _ => {
@@ -57,11 +67,17 @@ impl LightSampler<'_> {
 
     /// The density with which a direction that was found to meet the sky is drawn; none if that is not sampled.
     pub fn sky_pdf(&self, direction: DVec3) -> Option<f64> {
-        self.sky.map(|sky| self.sky_share() * sky_arriving(sky, direction).1)
+        self.sky.map(|sky| self.beyond(sky, direction).1)
     }
 
-    fn sky_share(&self) -> f64 {
-        if self.lights.lights.is_empty() { 1.0 } else { 1.0 - self.light_share }
+    /// Radiance of sky and sun from a direction, and the density with which it is drawn.
+    fn beyond(&self, sky: &SkyTable, direction: DVec3) -> (DVec3, f64) {
+        let (radiance, pdf) = sky_arriving(sky, self.sky_turn.transpose() * direction);
+        let pdf = (1.0 - self.sun_end) * pdf;
+        match self.sun.filter(|sun| sun.covers(direction)) {
+            Some(sun) => (radiance + sun.radiance, pdf + sun.density),
+            None => (radiance, pdf),
+        }
     }
 }
 

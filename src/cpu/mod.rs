@@ -15,6 +15,7 @@ pub mod rng;
 pub mod rng_sobol;
 pub mod sky;
 pub mod sort;
+pub mod sun;
 pub mod texture;
 pub mod textured;
 pub mod traverse;

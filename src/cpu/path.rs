@@ -1,7 +1,7 @@
 //! The path kernel in f64, small and plain: the judge of `passes/trace/path`. The same estimator on the same random
 //! numbers, so that the two can be compared path by path.
 
-use glam::{DVec2, DVec3, DVec4, UVec2, UVec4};
+use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, UVec4};
 
 use super::bsdf::dielectric::Interface;
 use super::bsdf::{Reflection, ShadingFrame};
@@ -9,6 +9,7 @@ use super::connect::{LightSample, LightSampler, power_heuristic};
 use super::pcg4d::pcg4d;
 use super::rng::{Source, random_words, sample_key, unit};
 use super::sky::sky_arriving;
+use super::sun::SunDisk;
 use super::texture::{TexturePoint, TextureSet};
 use super::textured::Cone;
 use super::triangles::{HitF64, TriangleSet};
@@ -40,6 +41,8 @@ pub struct PathScene<'a> {
     pub textures: TextureSet<'a>,
     /// Material of each triangle, in scene order: where lights have maps.
     pub materials_of: Vec<u32>,
+    /// From directions of that picture to those of the scene: a rotation.
+    pub sky_turn: DMat3,
 }
 
 /// One sample of one pixel.
@@ -63,6 +66,7 @@ impl<'a> PathScene<'a> {
             sky: None,
             textures: TextureSet::default(),
             materials_of: triangles.iter().map(|triangle| triangle.material).collect(),
+            sky_turn: DMat3::IDENTITY,
         }
     }
 
@@ -76,12 +80,16 @@ impl<'a> PathScene<'a> {
         let mut eta_scale = 1.0;
         let mut cone = Cone { width: 0.0, spread: params.cone_spread.into() };
         let sampler = self.light_sampler(params);
+        let sun = SunDisk::new(params);
         let mut traced = Traced::default();
         for bounce in 0..params.max_depth {
             let Some(hit) = self.first_hit(origin, direction, key, &mut traced.rays) else {
-                let sky = self.sky.map_or(params.environment.as_dvec3(), |sky| sky_arriving(sky, direction).0);
+                let to_picture = self.sky_turn.transpose();
+                let sky =
+                    self.sky.map_or(params.environment.as_dvec3(), |sky| sky_arriving(sky, to_picture * direction).0);
+                let sun = sun.filter(|sun| sun.covers(direction)).map_or(DVec3::ZERO, |sun| sun.radiance);
                 let other = sampler.as_ref().and_then(|sampler| sampler.sky_pdf(direction));
-                traced.radiance += throughput * sky * weight_of_finding(pdf, other);
+                traced.radiance += throughput * (sky + sun) * weight_of_finding(pdf, other);
                 break;
             };
             let material = &self.materials[hit.triangle.material as usize];
@@ -201,7 +209,14 @@ impl<'a> PathScene<'a> {
         let lights = self.lights.as_ref()?;
         let sky = self.sky.filter(|sky| sky.power > 0.0);
         let any = sky.is_some() || !lights.lights.is_empty();
-        any.then(|| LightSampler { lights, sky, light_share: f64::from(params.light_share) })
+        any.then(|| LightSampler {
+            lights,
+            sky,
+            sky_turn: self.sky_turn,
+            light_share: f64::from(params.light_share),
+            sun: SunDisk::new(params),
+            sun_end: f64::from(params.sun_end),
+        })
     }
 
     /// A light that is sampled, and what it adds for a throughput of 1 if nothing is in the way.

@@ -1,6 +1,9 @@
-//! The environment's pixels, and the alias tables by which a direction is drawn: a row of the picture, then a pixel of the row.
+//! The environment's pixels, and the alias tables by which a direction is drawn: a row of the picture, then a pixel of the row. And the
+//! sun, which is no pixel.
 
-use glam::{UVec2, Vec4};
+use std::f64::consts::PI;
+
+use glam::{UVec2, Vec3, Vec4};
 
 use super::alias::AliasColumn;
 
@@ -18,4 +21,22 @@ pub struct SkyTable {
     pub power: f64,
     /// The largest channel of any pixel.
     pub brightest: f32,
+}
+
+/// The disk of the sun: the same radiance from everywhere in a cone of directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sun {
+    /// Its middle, unit length.
+    pub direction: Vec3,
+    /// Beside that of the sky; linear Rec.709.
+    pub radiance: Vec3,
+    /// Of a unit vector at the disk's edge from its middle: the distance squared, above 0.
+    pub chord_squared: f32,
+}
+
+impl Sun {
+    /// Of all directions in it.
+    pub fn solid_angle(&self) -> f64 {
+        PI * f64::from(self.chord_squared)
+    }
 }

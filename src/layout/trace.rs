@@ -119,14 +119,32 @@ gpu_struct! {
         pub light_share: f32,
         /// Density by area with which a point of a light of unit luminance and one side is drawn.
         pub light_density: f32,
-        /// Density by solid angle with which a direction of unit luminance is drawn from the sky.
-        pub sky_density: f32,
+        /// Light samples from `light_share` to this are of the sun, those beyond it of the sky.
+        pub sun_end: f32,
+        /// The axes of the sky's picture as the scene has them, unit length: this one, its right half.
+        pub sky_x: Vec3,
         /// Pixels of the sky.
         pub sky_width: u32,
+        /// Its top.
+        pub sky_y: Vec3,
         pub sky_height: u32,
+        /// Away from its middle.
+        pub sky_z: Vec3,
+        /// Density by solid angle with which a direction of unit luminance is drawn from the sky.
+        pub sky_density: f32,
+        /// Middle of the sun's disk, unit length.
+        pub sun_direction: Vec3,
+        /// Of a unit vector at the disk's edge from its middle: the distance squared. 0 without a sun.
+        pub sun_chord_squared: f32,
+        /// Radiance of the disk, beside that of the sky; linear Rec.709.
+        pub sun_radiance: Vec3,
+        /// Density by solid angle with which a direction of the disk is drawn.
+        pub sun_density: f32,
         /// By how much surfaces spread the cones of paths: [`CONE_PART`](super::texture::CONE_PART), or 0 where lookups are of points.
         pub cone_part: f32,
-        pub pad: u32,
+        pub pad0: u32,
+        pub pad1: u32,
+        pub pad2: u32,
     }
 
     /// One sample of one pixel, as the trace kernel leaves it for the film.

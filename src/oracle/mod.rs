@@ -5,6 +5,7 @@
 
 pub mod bsdf;
 mod choice;
+mod daylight;
 mod light;
 mod path;
 mod random;

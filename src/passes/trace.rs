@@ -62,6 +62,8 @@ pub struct Needs<'a> {
     pub sky: bool,
     /// It is sampled.
     pub sky_light: bool,
+    /// Beside the picture there is a sun; sampled if that is.
+    pub sun: bool,
     /// Emitting triangles are sampled.
     pub lights: bool,
     /// Some mesh has normals of its own.
@@ -96,6 +98,7 @@ impl Needs<'_> {
             ("sky", self.sky && !self.sky_light),
             ("sky_light", self.sky_light),
             ("sobol", self.sobol),
+            ("sun", self.sun),
             ("textures", mapped(MaterialMaps::changes_lobes)),
         ];
         wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()

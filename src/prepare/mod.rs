@@ -2,9 +2,11 @@
 
 pub mod alias;
 pub mod camera;
+pub mod daylight;
 pub mod light;
 pub mod lighting;
 pub mod material;
 pub mod sky;
+pub mod sun;
 pub mod texture;
 pub mod uvs;

@@ -8,9 +8,9 @@ use crate::layout::sky::SkyTable;
 use crate::layout::trace::luminance;
 
 impl SkyTable {
-    /// From the pixels of the whole sphere by longitude and latitude, times a factor; `pixels` has `size.x * size.y` of them.
-    pub fn new(size: UVec2, pixels: &[Vec3], strength: f32) -> Self {
-        let cells: Vec<Vec4> = pixels.iter().map(|pixel| (*pixel * strength).extend(0.0)).collect();
+    /// From the pixels of the whole sphere by longitude and latitude, times a factor a channel; `pixels` has `size.x * size.y` of them.
+    pub fn new(size: UVec2, pixels: &[Vec3], factor: Vec3) -> Self {
+        let cells: Vec<Vec4> = pixels.iter().map(|pixel| (*pixel * factor).extend(0.0)).collect();
         let mut columns = Vec::with_capacity((size.y + size.x * size.y) as usize);
         let (mut rows, mut within) = (Vec::new(), Vec::new());
         for (y, row) in cells.chunks_exact(size.x as usize).enumerate() {

@@ -9,7 +9,8 @@ use glam::{DAffine3, DVec3};
 use super::bounds::Bounds;
 use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
-use super::file::{DEFAULT_CAMERA, EnvironmentEntry, MaterialEntry, ModelEntry, SceneFile, plain_field, read_scene};
+use super::environment::EnvironmentEntry;
+use super::file::{DEFAULT_CAMERA, MaterialEntry, ModelEntry, SceneFile, plain_field, read_scene};
 use super::kind::Kind;
 use super::locate::{as_written, file_names};
 use super::model::{FARTHEST, Imported, Model};
@@ -175,13 +176,16 @@ impl Loader {
 
     /// The environment, with its picture.
     fn read_environment(&mut self, folder: &Path, entry: EnvironmentEntry) -> Option<Environment> {
-        let (path, strength, place) = match entry {
-            EnvironmentEntry::Constant(radiance) => return Some(Environment::Constant(radiance)),
-            EnvironmentEntry::Map { path, strength, place } => (folder.join(path.replace('\\', "/")), strength, place),
-        };
-        self.files.push(path.clone());
-        let image = Arc::new(read_sky(&path, &place, &mut self.diagnostics)?);
-        Some(Environment::Map { image, strength })
+        match entry {
+            EnvironmentEntry::Constant(radiance) => Some(Environment::Constant(radiance)),
+            EnvironmentEntry::Daylight(day) => Some(Environment::Daylight(day)),
+            EnvironmentEntry::Map { path, strength, tint, turn, place } => {
+                let path = folder.join(path.replace('\\', "/"));
+                self.files.push(path.clone());
+                let image = Arc::new(read_sky(&path, &place, &mut self.diagnostics)?);
+                Some(Environment::Map { image, strength, tint, turn })
+            }
+        }
     }
 
     /// The textures of the materials that meshes have.

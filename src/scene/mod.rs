@@ -11,6 +11,7 @@ mod check;
 mod describe;
 mod description;
 mod diagnostic;
+mod environment;
 mod file;
 mod find;
 pub mod generate;
@@ -30,6 +31,7 @@ mod suggest;
 mod text;
 mod textures;
 mod triangulate;
+mod turn;
 mod unseen;
 
 pub use apply::{apply, apply_changes};

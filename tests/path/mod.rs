@@ -34,7 +34,7 @@ fn a_scene_can_ask_for_every_feature_that_the_kernel_names() {
     let mut asked: BTreeSet<&str> = room.features().into_iter().collect();
     // A picture of the sky, asked directly or not.
     for sky_light in [false, true] {
-        asked.extend(Needs { sky: true, sky_light, ..Needs::default() }.features());
+        asked.extend(Needs { sky: true, sky_light, sun: true, ..Needs::default() }.features());
     }
     let every = MaterialMaps { diffuse: 1, emission: 1, opacity: 1, relief: 1, ..MaterialMaps::default() };
     asked.extend(Needs { maps: &[every], ..Needs::default() }.features());

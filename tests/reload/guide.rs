@@ -151,7 +151,8 @@ fn another_texture_filter_has_the_same_mean() {
     encoder.write_header().unwrap().write_image_data(&texels).unwrap();
     fs::write(bench.path("floor.png"), file).unwrap();
     bench.write("room.mtl", &super::MTL.replace("Kd 0.5 0.5 0.5", "Kd 0.9 0.9 0.9\nmap_Kd floor.png"));
-    let floor = super::OBJ.replace("usemtl floor\nf 1 4 3 2", "vt 0 0\nvt 2 0\nvt 2 2\nvt 0 2\nusemtl floor\nf 1/1 4/4 3/3 2/2");
+    let floor = super::OBJ
+        .replace("usemtl floor\nf 1 4 3 2", "vt 0 0\nvt 2 0\nvt 2 2\nvt 0 2\nusemtl floor\nf 1/1 4/4 3/3 2/2");
     bench.write("room.obj", &floor);
     bench.reloaded();
     assert!(bench.engine.features().contains("textures"));

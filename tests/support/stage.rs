@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
-use glam::{DVec3, UVec2, Vec3};
+use glam::{DMat3, DVec3, UVec2, Vec3};
 use lucerna::components::{
     Active, Camera, Environment, EnvironmentMap, Film, Geometry, Material, MeshData, Render, Transform, UsesMaterial,
 };
@@ -112,5 +112,10 @@ pub fn sky_map() -> Environment {
         (0..size.x * size.y).map(|i| Vec3::new(0.3, 0.2 + 0.02 * i as f32, 0.1 * (i % 5) as f32 + 0.1)).collect();
     pixels[11] = Vec3::new(8.0, 6.0, 5.0);
     pixels[20] = Vec3::ZERO;
-    Environment::Map { image: Arc::new(EnvironmentMap { size, pixels }), strength: 0.8 }
+    Environment::Map {
+        image: Arc::new(EnvironmentMap { size, pixels }),
+        strength: 0.8,
+        tint: Vec3::ONE,
+        turn: DMat3::IDENTITY,
+    }
 }

@@ -8,7 +8,10 @@ import package::gen::{TraceParams, NO_HIT};
 @if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point, light_weights};
 @if(lights) import package::lib::math::{largest_of};
 @if(lights && emission_map) import package::passes::trace::emission::{emission_at};
+@if(sun) import package::lib::sun::{sun_covers};
+@if(sky_light && sun) import package::lib::sun::{sun_point};
 @if(sky_light) import package::passes::trace::sky::{draw_sky, sky_pdf};
+@if(sky_light && sun) import package::passes::trace::sky::{sky_radiance};
 
 @if(lights) @group(0) @binding(6) var<storage, read> lights: array<vec4<u32>>;
 
@@ -27,10 +30,10 @@ const AROUND_LIGHT: f32 = 0x1p-12;
 struct LightSample {
     // Unit length.
     direction: vec3<f32>,
-    // By solid angle, of lights and sky together; 0 where nothing arrives.
+    // By solid angle, of lights, sky and sun together; 0 where nothing arrives.
     pdf: f32,
     radiance: vec3<f32>,
-    // The triangle that sends it, or NO_HIT for the sky.
+    // The triangle that sends it, or NO_HIT for sky and sun.
     triangle: u32,
     // Where it leaves that triangle.
     point: vec3<f32>,
@@ -89,10 +92,41 @@ fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f3
     return LightSample(direction, select(0.0, pdf, lit), radiance, light.triangle, point, end);
 }
 
+// Light of the sky as it arrives from beyond the scene: where the sun is, with its own.
+@if(sky_light)
+fn from_beyond(params: TraceParams, direction: vec3<f32>, sky: vec3<f32>) -> LightSample {
+    var pdf = sky_pdf(sky, params.sky_density);
+    var radiance = sky;
+    @if(sun) {
+        if (sun_covers(params.sun_direction, params.sun_chord_squared, direction)) {
+            pdf += params.sun_density;
+            radiance += params.sun_radiance;
+        }
+    }
+    return LightSample(direction, pdf, radiance, NO_HIT, vec3<f32>(0.0), 0.0);
+}
+
 @if(sky_light)
 fn draw_from_sky(params: TraceParams, u: vec2<f32>) -> LightSample {
-    let drawn = draw_sky(vec2<u32>(params.sky_width, params.sky_height), u);
-    return LightSample(drawn.direction, sky_pdf(drawn.radiance, params.sky_density), drawn.radiance, NO_HIT, vec3<f32>(0.0), 0.0);
+    let drawn = draw_sky(params, u);
+    return from_beyond(params, drawn.direction, drawn.radiance);
+}
+
+@if(sky_light && sun)
+fn draw_from_sun(params: TraceParams, u: vec2<f32>) -> LightSample {
+    let direction = sun_point(params.sun_direction, params.sun_chord_squared, u);
+    return from_beyond(params, direction, sky_radiance(params, direction));
+}
+
+// Of sky and sun, by a `pick` from `light_share` on.
+@if(sky_light)
+fn draw_from_beyond(params: TraceParams, pick: f32, u: vec2<f32>) -> LightSample {
+    @if(sun) {
+        if (pick < params.sun_end) {
+            return draw_from_sun(params, u);
+        }
+    }
+    return draw_from_sky(params, u);
 }
 
 // Light at a position. `pick` chooses the light, `u` the point on it, `texel` what its map says there.
@@ -100,7 +134,7 @@ fn draw_from_sky(params: TraceParams, u: vec2<f32>) -> LightSample {
 fn draw_light(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>, texel: f32) -> LightSample {
     @if(lights && sky_light) {
         if (pick >= params.light_share) {
-            return draw_from_sky(params, u);
+            return draw_from_beyond(params, pick, u);
         }
         return draw_triangle(params, position, pick / params.light_share, u, texel);
     }
@@ -108,6 +142,6 @@ fn draw_light(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>,
         return draw_triangle(params, position, pick, u, texel);
     }
     @if(!lights) {
-        return draw_from_sky(params, u);
+        return draw_from_beyond(params, pick, u);
     }
 }

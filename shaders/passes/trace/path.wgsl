@@ -35,8 +35,7 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{load_leaf, scene_extent};
-@if(sky || sky_light) import package::passes::trace::sky::{sky_radiance};
-@if(sky_light) import package::passes::trace::sky::{sky_pdf};
+@if(sky || sky_light) import package::passes::trace::sky::{sky_found};
 import package::passes::trace::traverse::{traverse};
 
 @group(0) @binding(2) var<storage, read> params: TraceParams;
@@ -240,12 +239,7 @@ fn incident_radiance(state: ptr<function, PathState>, hit: Hit, material: Materi
             light = params.environment;
         }
         @if(sky || sky_light) {
-            light = sky_radiance((*state).direction, vec2<u32>(params.sky_width, params.sky_height));
-        }
-        @if(sky_light) {
-            if ((*state).pdf > 0.0) {
-                light *= power_heuristic((*state).pdf, sky_pdf(light, params.sky_density));
-            }
+            light = sky_found(params, (*state).direction, (*state).pdf);
         }
     } else {
         @if(emitters) {

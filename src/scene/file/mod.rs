@@ -5,12 +5,14 @@ mod material;
 
 use std::collections::BTreeMap;
 
-use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
+use glam::{DAffine3, DMat3, DVec3, UVec2};
 
 use super::diagnostic::Diagnostic;
+use super::environment::{EnvironmentEntry, read_environment};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::settings::{Group, SETTINGS, Settings, Value};
 use super::suggest::known_names;
+use super::turn::read_turn;
 use crate::components::{Camera, Crop, Film};
 use material::read_material;
 
@@ -42,19 +44,6 @@ pub struct ModelEntry {
     pub transform: DAffine3,
     /// An error about this entry, without its message.
     pub place: Diagnostic,
-}
-
-/// Light from beyond the scene; its picture is not read yet.
-#[derive(Debug)]
-pub enum EnvironmentEntry {
-    Constant(Vec3),
-    Map {
-        /// As written: relative to the scene file's folder.
-        path: String,
-        strength: f32,
-        /// An error about this entry, without its message.
-        place: Box<Diagnostic>,
-    },
 }
 
 /// Types a tree; what is wrong goes to the reader, and the rest has its defaults.
@@ -172,16 +161,12 @@ fn read_transform(reader: &Reader, node: &Node, path: &str) -> Option<DAffine3> 
         Kind::Items(_) => node.vector(),
         _ => node.number(-1e12, 1e12).map(DVec3::splat),
     });
-    let angle = |name: &'static str| fields.read(name, |node| node.number(-1e6, 1e6).map(f64::to_radians));
-    let (x, y, z) = (angle("rotate_x"), angle("rotate_y"), angle("rotate_z"));
+    let turn = read_turn(&fields);
     let translate = fields.read("translate", Node::vector);
-    if matrix.is_some() && (scale.is_some() || x.or(y).or(z).is_some() || translate.is_some()) {
+    if matrix.is_some() && (scale.is_some() || turn.is_some() || translate.is_some()) {
         fields.fail("`matrix` stands alone: leave out scale, rotate and translate");
     }
-    let turn = DMat3::from_rotation_z(z.unwrap_or(0.0))
-        * DMat3::from_rotation_y(y.unwrap_or(0.0))
-        * DMat3::from_rotation_x(x.unwrap_or(0.0));
-    let linear = turn * DMat3::from_diagonal(scale.unwrap_or(DVec3::ONE));
+    let linear = turn.unwrap_or(DMat3::IDENTITY) * DMat3::from_diagonal(scale.unwrap_or(DVec3::ONE));
     let transform = matrix.unwrap_or_else(|| DAffine3::from_mat3_translation(linear, translate.unwrap_or(DVec3::ZERO)));
     let determinant = transform.matrix3.determinant();
     if !(determinant.is_finite() && determinant.abs() > 1e-100) {
@@ -242,34 +227,4 @@ fn read_crop(node: &Node, size: UVec2) -> Result<Crop, String> {
         return Ok(crop);
     }
     Err(format!("expected x0, x1, y0, y1 with x0 < x1 <= {} and y0 < y1 <= {}", size.x, size.y))
-}
-
-/// `Constant((r, g, b))`, with or without the inner parentheses, or `Constant(grey)`; or `Map(path: "sky.exr", strength: 1)`.
-fn read_environment(reader: &Reader, node: &Node) -> Option<EnvironmentEntry> {
-    let constant = match &node.kind {
-        Kind::Variant("Constant", Some(content)) => {
-            let inner = match &content.kind {
-                Kind::Items(items) if items.len() == 1 => &items[0],
-                _ => content,
-            };
-            inner.colour(1e6).map(EnvironmentEntry::Constant)
-        }
-        Kind::Variant("Map", Some(content)) => return read_map_environment(reader, content),
-        _ => {
-            let found = node.describe();
-            Err(format!("expected Constant((r, g, b)) or Map(path: \"sky.exr\"), found {found}"))
-        }
-    };
-    constant.map_err(|message| reader.error(node, "environment", message)).ok()
-}
-
-/// `(path: "sky.exr", strength: 1)`
-fn read_map_environment(reader: &Reader, node: &Node) -> Option<EnvironmentEntry> {
-    let fields = Fields::open(reader, node, "environment")?;
-    let place = Box::new(node.text.error(fields.get("path").map_or(node.source, |path| path.source), ""));
-    let path = fields.require("path", Node::string);
-    let strength = fields.read("strength", |node| node.number(0.0, 1e6)).unwrap_or(1.0) as f32;
-    let sound = fields.finish();
-    let entry = EnvironmentEntry::Map { path: path?, strength, place };
-    sound.then_some(entry)
 }

@@ -2,7 +2,7 @@
 
 use bevy_ecs::prelude::*;
 use bevy_ecs::query::QuerySingleError;
-use glam::Vec3;
+use glam::{DMat3, Mat3, Vec3};
 
 use super::step::Step;
 use crate::components::{
@@ -19,6 +19,7 @@ use crate::passes::trace::{Needs, largest_emission};
 use crate::passes::tree::PLAN;
 use crate::prepare::camera;
 use crate::prepare::lighting::Lighting;
+use crate::prepare::sun::sun_of;
 use crate::systems::error::EngineError;
 use crate::systems::resources::{
     Everything, Exposure, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target, Textures,
@@ -113,10 +114,7 @@ fn extract_shot(
         QuerySingleError::MultipleEntities(_) => EngineError::ManyFilms,
     })?;
     let (_, _, camera) = rendered_camera(cameras).ok_or(EngineError::NoCamera)?;
-    let environment = match rendered_environment(environments) {
-        Some(Environment::Constant(radiance)) => *radiance,
-        Some(Environment::Map { .. }) | None => Vec3::ZERO,
-    };
+    let environment = rendered_environment(environments);
     let shot = shoot(camera, film, render, environment, &packed)?;
     if !shot.same(&extracted.shot) {
         *extracted.shot = shot;
@@ -136,15 +134,24 @@ fn shoot(
     camera: &Camera,
     film: &Film,
     render: &Render,
-    environment: Vec3,
+    environment: Option<&Environment>,
     packed: &Packed,
 ) -> Result<Shot, EngineError> {
+    let (environment, sky_turn, sun) = match environment {
+        Some(Environment::Constant(radiance)) => (*radiance, Mat3::IDENTITY, None),
+        Some(Environment::Map { turn, .. }) => (Vec3::ZERO, turn.as_mat3(), None),
+        // Its picture has the sun in the middle.
+        Some(Environment::Daylight(day)) => {
+            (Vec3::ZERO, DMat3::from_rotation_y(-day.azimuth.to_radians()).as_mat3(), sun_of(day))
+        }
+        None => (Vec3::ZERO, Mat3::IDENTITY, None),
+    };
     let window = film.window();
     if window.min.cmpge(window.max).any() || window.max.cmpgt(film.size).any() {
         return Err(EngineError::EmptyFilm);
     }
     let (sky, geometry) = (&packed.sky, &packed.geometry);
-    let brightest = environment.max(Vec3::splat(sky.brightest));
+    let brightest = environment.max(Vec3::splat(sky.brightest)).max(sun.map_or(Vec3::ZERO, |sun| sun.radiance));
     let exponent = film_exponent(largest_emission(
         packed.records.rows(),
         packed.maps.rows(),
@@ -168,6 +175,8 @@ fn shoot(
         lights: packed.lights.len() as u32,
         light_density: packed.density.0,
         sky: sky.size,
+        sky_turn,
+        sun,
         sky_power: if render.integrator == Integrator::Path { sky.power } else { 0.0 },
     };
     lighting.write(&mut params, 0.5 * (geometry.high - geometry.low).length());
@@ -177,6 +186,7 @@ fn shoot(
         environment,
         sky: sky.source.is_some(),
         sky_light: lighting.sky_power > 0.0,
+        sun: sun.is_some(),
         lights: lighting.lights > 0,
         normals: geometry.normals,
         roulette: render.roulette,

@@ -1,15 +1,15 @@
 //! The picture of the environment to pixels and the tables by which directions are drawn from it.
 
-use std::sync::Arc;
-
 use bevy_ecs::prelude::*;
+use glam::Vec3;
 
 use super::step::Step;
-use crate::components::{Environment, EnvironmentItem, EnvironmentMap, Name, rendered_environment};
+use crate::components::{Daylight, Environment, EnvironmentItem, Name, rendered_environment};
 use crate::gpu::GpuTable;
 use crate::layout::alias::AliasColumn;
 use crate::layout::sky::SkyTable;
-use crate::systems::resources::{Everything, Sky, SkyCell};
+use crate::prepare::daylight;
+use crate::systems::resources::{Everything, Sky, SkyCell, SkySource};
 use crate::systems::run::counted;
 
 type Touched = (With<Environment>, Or<(Changed<Environment>, Changed<Name>)>);
@@ -30,32 +30,33 @@ pub fn environment_changed(
     everything.0 || removed || !touched.is_empty()
 }
 
-/// Packs the environment's picture where it is another one, or of another strength.
+/// Packs the environment's picture where it is another one, or of another strength or tint. How it is turned, no table says.
 fn extract_sky(
     environments: Query<EnvironmentItem>,
     mut sky: ResMut<Sky>,
     mut cells: ResMut<GpuTable<SkyCell>>,
     mut columns: ResMut<GpuTable<AliasColumn>>,
 ) {
-    let Some(Environment::Map { image, strength }) = rendered_environment(environments) else {
-        if sky.source.is_some() {
-            *sky = Sky::default();
-            cells.set(Vec::new());
-            columns.set(Vec::new());
+    let source = match rendered_environment(environments) {
+        Some(Environment::Map { image, strength, tint, .. }) => SkySource::Map(image.clone(), *strength * *tint),
+        Some(Environment::Daylight(day)) => SkySource::Daylight(Daylight { azimuth: 0.0, ..*day }),
+        Some(Environment::Constant(_)) | None => {
+            if sky.source.is_some() {
+                *sky = Sky::default();
+                cells.set(Vec::new());
+                columns.set(Vec::new());
+            }
+            return;
         }
-        return;
     };
-    let same = |(held, by): &(Arc<EnvironmentMap>, f32)| Arc::ptr_eq(held, image) && by.to_bits() == strength.to_bits();
-    if sky.source.as_ref().is_some_and(same) {
+    if sky.source.as_ref().is_some_and(|held| held.same(&source)) {
         return;
     }
-    let table = SkyTable::new(image.size, &image.pixels, *strength);
+    let table = match &source {
+        SkySource::Map(image, factor) => SkyTable::new(image.size, &image.pixels, *factor),
+        SkySource::Daylight(day) => SkyTable::new(daylight::SIZE, &daylight::sky_pixels(day), Vec3::ONE),
+    };
     cells.set(table.cells.into_iter().map(SkyCell).collect());
     columns.set(table.columns);
-    *sky = Sky {
-        source: Some((image.clone(), *strength)),
-        size: table.size,
-        power: table.power,
-        brightest: table.brightest,
-    };
+    *sky = Sky { source: Some(source), size: table.size, power: table.power, brightest: table.brightest };
 }

@@ -13,6 +13,6 @@ pub use film::{Batch, FilmProgress};
 pub use governor::Governor;
 pub use scene::{
     Everything, Exposure, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief, SceneGeometry, Shot, Sky,
-    SkyCell, Target, Texel,
+    SkyCell, SkySource, Target, Texel,
 };
 pub use textures::{TextureSlot, TextureUse, Textures};

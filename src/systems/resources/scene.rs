@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec3, UVec2, Vec4};
+use glam::{DVec3, UVec2, Vec3, Vec4};
 
-use crate::components::{DiffuseMap, Energy, EnvironmentMap, Integrator, MeshData, Transform};
+use crate::components::{Daylight, DiffuseMap, Energy, EnvironmentMap, Integrator, MeshData, Transform};
 use crate::gpu::TableRow;
 use crate::layout::alias::AliasColumn;
 use crate::layout::light::LightRecord;
@@ -125,11 +125,33 @@ impl Default for SceneGeometry {
     }
 }
 
+/// What the environment's picture is made of.
+#[derive(Clone, Debug)]
+pub enum SkySource {
+    /// A picture, and what it is multiplied by.
+    Map(Arc<EnvironmentMap>, Vec3),
+    /// A day, its sun's azimuth 0.
+    Daylight(Daylight),
+}
+
+impl SkySource {
+    /// Whether both make the same tables; pictures are compared by identity.
+    pub fn same(&self, other: &SkySource) -> bool {
+        match (self, other) {
+            (Self::Map(a, by), Self::Map(b, other)) => {
+                Arc::ptr_eq(a, b) && by.to_array().map(f32::to_bits) == other.to_array().map(f32::to_bits)
+            }
+            (Self::Daylight(a), Self::Daylight(b)) => a == b,
+            _ => false,
+        }
+    }
+}
+
 /// What came of the environment's picture.
 #[derive(Resource, Default, Clone, Debug)]
 pub struct Sky {
-    /// The picture that the tables are of, and its strength; none without one.
-    pub source: Option<(Arc<EnvironmentMap>, f32)>,
+    /// What the tables are of; none without a picture.
+    pub source: Option<SkySource>,
     /// Pixels; zero without a picture.
     pub size: UVec2,
     /// Integral of the luminance over the sphere.
