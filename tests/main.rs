@@ -54,6 +54,7 @@ mod sort;
 mod start;
 mod statistics;
 mod support;
+mod textures;
 mod tree;
 mod tree_builder;
 mod unpack;

@@ -1,0 +1,5 @@
+//! Textures: lookups, and pictures with them.
+
+mod board;
+mod lookups;
+mod oracle;
