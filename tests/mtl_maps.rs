@@ -14,8 +14,8 @@ const PICTURES: &[&str] =
 pub fn write_picture(path: &Path) {
     std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
     let mut encoder = png::Encoder::new(std::fs::File::create(path).expect("a file"), 1, 1);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.write_header().expect("a header").write_image_data(&[90, 120, 150]).expect("a texel");
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.write_header().expect("a header").write_image_data(&[90, 120, 150, 200]).expect("a texel");
 }
 
 /// A folder with pictures and a library of these statements, which a model uses.

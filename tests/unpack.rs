@@ -140,10 +140,14 @@ fn every_field_is_read_back() {
         ("Node", "node"),
         ("LightRecord", "light_record"),
         ("MaterialRecord", "material_record"),
+        ("TextureRecord", "texture_record"),
+        ("MaterialMaps", "material_maps"),
+        ("CornerUvs", "corner_uvs"),
+        ("Tangents", "tangents"),
     ] {
         check(layout::VECTORS.iter().find(|vectors| vectors.layout.name == name).unwrap(), snake);
     }
-    assert_eq!(layout::VECTORS.len(), 4, "a struct is not tested here");
+    assert_eq!(layout::VECTORS.len(), 8, "a struct is not tested here");
 }
 
 #[test]

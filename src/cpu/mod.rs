@@ -9,6 +9,7 @@ pub mod film;
 pub mod intersect;
 pub mod lint;
 pub mod morton;
+pub mod normals;
 pub mod path;
 pub mod pcg4d;
 pub mod rng;

@@ -6,6 +6,7 @@ use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, UVec4};
 use super::bsdf::dielectric::Interface;
 use super::bsdf::{Reflection, ShadingFrame};
 use super::connect::{LightSample, LightSampler, power_heuristic};
+use super::normals::{bent_to_viewer, smooth_normal};
 use super::pcg4d::pcg4d;
 use super::rng::{Source, random_words, sample_key, unit};
 use super::sky::sky_arriving;
@@ -19,8 +20,8 @@ use crate::layout::texture::{
     CUTOUT_DIMENSIONS, MaterialMaps, POINT, TEXTURE_DIMENSIONS, TEXTURE_DIMENSIONS_PER_BOUNCE,
 };
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, LEAST_FACING, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE,
-    SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, SampleKey, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_CHOICES,
+    SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, SampleKey, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -286,31 +287,4 @@ pub fn camera_direction(params: &TraceParams, at: DVec2) -> DVec3 {
     let size = DVec2::new(f64::from(params.film_width), f64::from(params.film_height));
     let s = (2.0 * at / size - 1.0) * DVec2::new(1.0, -1.0);
     (params.forward.as_dvec3() + s.x * params.right.as_dvec3() + s.y * params.up.as_dvec3()).normalize()
-}
-
-/// The interpolated normal at weights of the second and third corner, unit length; none where a corner has none or they cancel.
-pub fn smooth_normal(corners: &Shading, b: [f64; 2]) -> Option<DVec3> {
-    let words = [corners.n0, corners.n1, corners.n2];
-    if words.contains(&0) {
-        return None;
-    }
-    let [n0, n1, n2] = words.map(octahedral_decode);
-    let n = (1.0 - b[0] - b[1]) * n0 + b[0] * n1 + b[1] * n2;
-    (n.length_squared() >= 1e-6).then(|| n.normalize())
-}
-
-/// A shading normal turned towards its viewer, as little as makes it seen at all, where its facet is.
-fn bent_to_viewer(n: DVec3, facet: DVec3, wo: DVec3) -> DVec3 {
-    let least = f64::from(LEAST_FACING).min(wo.dot(facet));
-    if n.dot(wo) < least { (n.reject_from_normalized(wo) + least * wo).normalize() } else { n }
-}
-
-/// A unit vector from its octahedral snorm16 pair (Cigolle et al., JCGT 3(2), 2014).
-pub fn octahedral_decode(word: u32) -> DVec3 {
-    let snorm = |half: u32| (f64::from(half as u16 as i16) / 32767.0).max(-1.0);
-    let (x, y) = (snorm(word), snorm(word >> 16));
-    let z = 1.0 - x.abs() - y.abs();
-    let fold = (-z).max(0.0);
-    let shrink = |v: f64| if v >= 0.0 { v - fold } else { v + fold };
-    DVec3::new(shrink(x), shrink(y), z).normalize()
 }

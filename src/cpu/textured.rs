@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::bsdf::{BsdfSample, Reflection, ShadingFrame, Specular};
-use super::path::octahedral_decode;
+use super::normals::octahedral_decode;
 use super::texture::{TexturePoint, TextureSet, draw_texel};
 use crate::layout::texture::{MAPS_PRESERVE, MaterialMaps, TEXEL_KIND, TEXEL_SLOPES, TEXTURE_FLIP_GREEN};
 use crate::layout::trace::{SMOOTHEST_ALPHA, luminance};

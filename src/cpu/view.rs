@@ -3,7 +3,7 @@
 use glam::{DVec3, UVec2, Vec3};
 
 use super::intersect::{Fma, triangle_normal};
-use super::path::smooth_normal;
+use super::normals::smooth_normal;
 use super::texture::{TextureSet, level_of, nearest_texel};
 use super::textured::Cone;
 use super::traverse::closest_hit_of;

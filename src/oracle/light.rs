@@ -12,7 +12,7 @@ use super::tree::Hit;
 
 /// All light sources of a scene.
 pub struct Lights {
-    /// Triangles by their power.
+    /// Triangles by their power, as if their brightest texel were everywhere.
     choice: Distribution,
     areas: Vec<f64>,
     sky: Option<Sky>,
@@ -34,8 +34,8 @@ impl Lights {
         let areas: Vec<f64> = scene.triangles.iter().map(|t| 0.5 * t.winding().length()).collect();
         let power = |(triangle, area): (&super::scene::Triangle, &f64)| {
             let substance = &scene.substances[triangle.substance];
-            let sides = if substance.one_sided { 1.0 } else { 2.0 };
-            sides * PI * area * luminance(substance.emission)
+            let sides = if substance.one_sided() { 1.0 } else { 2.0 };
+            sides * PI * area * luminance(substance.brightest())
         };
         let choice = Distribution::new(scene.triangles.iter().zip(&areas).map(power));
         let sky = scene.environment.as_ref().map(Sky::new).filter(|sky| !sky.is_black());

@@ -11,6 +11,9 @@ mod path;
 mod random;
 mod scene;
 mod sky;
+mod substance;
+mod tangents;
+pub mod texture;
 mod tree;
 
 use std::ops::Range;

@@ -15,7 +15,7 @@ impl Oracle {
         // Of the ray's direction, as the last surface drew it; 0 where it could not have asked a light that way.
         let mut drawn_pdf = 0.0;
         for segment in 1..=self.max_depth {
-            let Some(hit) = self.scene.tree.closest(origin, direction) else {
+            let Some(hit) = self.scene.closest(origin, direction, random) else {
                 let asked_pdf = self.lights.pdf_of_sky(direction);
                 radiance += throughput * self.lights.sky_radiance(direction) * self.share(drawn_pdf, asked_pdf);
                 break;
@@ -29,9 +29,10 @@ impl Oracle {
                 break;
             }
             origin += hit.t * direction;
-            let (facing, bsdf) = (self.scene.facing(&hit, direction), &self.scene.substance(&hit).bsdf);
+            let facing = self.scene.facing(&hit, direction, random);
+            let bsdf = self.scene.substance(&hit).bsdf(self.scene.uv(&hit), random);
             if self.ask_lights {
-                radiance += throughput * self.ask(origin, &facing, bsdf, random);
+                radiance += throughput * self.ask(origin, &facing, &bsdf, random);
             }
             let Some(draw) = bsdf.draw(&facing, random) else { break };
             throughput *= draw.weight;
@@ -56,7 +57,7 @@ impl Oracle {
             return DVec3::ZERO;
         }
         // The first surface of that direction is or isn't the light: so both ways of finding it see the same scene.
-        let hit = self.scene.tree.closest(at, ask.wi);
+        let hit = self.scene.closest(at, ask.wi, random);
         if hit.map(|hit| hit.triangle) != ask.triangle {
             return DVec3::ZERO;
         }

@@ -5,10 +5,13 @@ use std::collections::HashMap;
 use bevy_ecs::prelude::*;
 use glam::{DVec2, DVec3};
 
-use super::bsdf::{Bsdf, Facing};
+use super::bsdf::Facing;
+use super::random::Random;
+use super::substance::{Substance, Textures};
+use super::tangents::Tangents;
 use super::tree::{Hit, Tree};
 use crate::components::{
-    Active, Camera, Energy, Environment, Film, Geometry, Material, MeshData, Render, Transform, UsesMaterial,
+    Active, Camera, Environment, Film, Geometry, Maps, Material, MeshData, Render, Transform, UsesMaterial,
 };
 
 /// Why a world can't be rendered.
@@ -39,15 +42,11 @@ pub struct Triangle {
     pub corners: [DVec3; 3],
     /// Unit length, or zero; none where the mesh has none.
     normals: Option<[DVec3; 3]>,
+    /// Texture coordinates, v up; all 0 where the mesh has none.
+    uvs: [DVec2; 3],
+    /// Where a map of relief needs them.
+    tangents: Option<Box<Tangents>>,
     pub substance: usize,
-}
-
-/// A material as the oracle sees it.
-pub struct Substance {
-    pub bsdf: Bsdf,
-    /// Radiance.
-    pub emission: DVec3,
-    pub one_sided: bool,
 }
 
 impl Scene {
@@ -65,19 +64,31 @@ impl Scene {
         let mut environments = world.query::<(&Name, &Environment)>();
         let environment = environments.iter(world).min_by_key(|e| e.0.as_str().to_owned()).map(|e| e.1.clone());
 
-        let mut substances = vec![Substance::new(&Material::default(), render.energy)];
-        let mut index = HashMap::new();
-        for (entity, material) in world.query_filtered::<(Entity, &Material), With<Name>>().iter(world) {
-            index.insert(entity, substances.len());
-            substances.push(Substance::new(material, render.energy));
-        }
         let mut meshes = world.query::<(&Name, &Geometry, Option<&Transform>, Option<&UsesMaterial>)>();
+        let mut materials = world.query_filtered::<(Entity, &Material, Option<&Maps>), With<Name>>();
+        let world: &World = world;
+        let mut textures = Textures::new(world);
+        let none = Maps::default();
+        let mut substances = vec![Substance::new(&Material::default(), &none, &mut textures, &render)];
+        let mut index = HashMap::new();
+        for (entity, material, maps) in materials.iter(world) {
+            index.insert(entity, substances.len());
+            substances.push(Substance::new(material, maps.unwrap_or(&none), &mut textures, &render));
+        }
         let mut sorted: Vec<_> = meshes.iter(world).collect();
         sorted.sort_by_key(|mesh| mesh.0.as_str());
         let mut triangles = Vec::new();
         for (_, geometry, transform, material) in sorted {
             let substance = material.and_then(|m| index.get(&m.0)).copied().unwrap_or(0);
-            triangles.extend(place(&geometry.0, transform.copied().unwrap_or_default(), substance));
+            let transform = transform.copied().unwrap_or_default();
+            let first = triangles.len();
+            triangles.extend(place(&geometry.0, transform, substance));
+            if substances[substance].has_relief() {
+                let found = Tangents::of(&geometry.0, &transform.0);
+                for (triangle, tangents) in triangles[first..].iter_mut().zip(found) {
+                    triangle.tangents = tangents.map(Box::new);
+                }
+            }
         }
         let tree = Tree::new(triangles.iter().map(|t| t.corners));
         Ok(Self { triangles, tree, substances, environment, film, max_depth: render.max_depth.max(1), camera })
@@ -94,21 +105,30 @@ impl Scene {
         (camera.position, (forward + x * right + y * right.cross(forward)).normalize())
     }
 
+    /// The first surface on the way of a ray. Surfaces with holes are there by chance, for each ray anew.
+    pub fn closest(&self, origin: DVec3, direction: DVec3, random: &mut Random) -> Option<Hit> {
+        self.tree.closest(origin, direction, |hit| self.substance(hit).is_there(self.uv(hit), random))
+    }
+
     /// The surface that a ray of this direction hits.
-    pub fn facing(&self, hit: &Hit, direction: DVec3) -> Facing {
+    pub fn facing(&self, hit: &Hit, direction: DVec3, random: &mut Random) -> Facing {
         let (triangle, wo) = (&self.triangles[hit.triangle as usize], -direction);
         let front = triangle.winding().normalize();
         let from_behind = front.dot(wo) < 0.0;
         let geometric = if from_behind { -front } else { front };
-        let mut shading = geometric;
-        if let Some(smooth) = triangle.smooth_normal(hit.b) {
-            shading = smooth * smooth.dot(geometric).signum();
-            // A normal that looks away from its viewer is turned until it is just seen, if the triangle is.
-            let lack = wo.dot(geometric).min(LEAST_FACING) - wo.dot(shading);
-            if lack > 0.0 {
-                shading = (shading + lack * wo).normalize();
-            }
+        let smooth = triangle.smooth_normal(hit.b);
+        let on_mesh = smooth.unwrap_or(front);
+        let side = if on_mesh.dot(geometric) < 0.0 { -1.0 } else { 1.0 };
+        let mut shading = side * on_mesh;
+        if let (Some(local), Some(tangents)) = (self.substance(hit).relief(self.uv(hit), random), &triangle.tangents) {
+            let bent = side * tangents.to_world(local, on_mesh, hit.b);
+            // The facet stays in front of what the picture says.
+            shading = turned(bent, shading.dot(geometric), geometric);
+        } else if smooth.is_none() {
+            return Facing { wo, shading, geometric, from_behind };
         }
+        // A normal that looks away from its viewer is turned until it is just seen, if the triangle is.
+        shading = turned(shading, wo.dot(geometric), wo);
         Facing { wo, shading, geometric, from_behind }
     }
 
@@ -117,12 +137,24 @@ impl Scene {
         &self.substances[self.triangles[hit.triangle as usize].substance]
     }
 
+    /// Texture coordinates.
+    pub fn uv(&self, hit: &Hit) -> DVec2 {
+        let [a, b, c] = self.triangles[hit.triangle as usize].uvs;
+        a + hit.b[0] * (b - a) + hit.b[1] * (c - a)
+    }
+
     /// Radiance that a hit surface sends back along the ray.
     pub fn emitted(&self, hit: &Hit, direction: DVec3) -> DVec3 {
         let substance = self.substance(hit);
         let from_behind = self.triangles[hit.triangle as usize].winding().dot(direction) > 0.0;
-        if substance.one_sided && from_behind { DVec3::ZERO } else { substance.emission }
+        if substance.one_sided() && from_behind { DVec3::ZERO } else { substance.emission(self.uv(hit)) }
     }
+}
+
+/// A unit normal, turned to a direction by as little as makes its cosine to that [`LEAST_FACING`], or `most` where that is less.
+fn turned(normal: DVec3, most: f64, direction: DVec3) -> DVec3 {
+    let lack = most.min(LEAST_FACING) - direction.dot(normal);
+    if lack > 0.0 { (normal + lack * direction).normalize() } else { normal }
 }
 
 impl Triangle {
@@ -140,13 +172,6 @@ impl Triangle {
     }
 }
 
-impl Substance {
-    fn new(material: &Material, energy: Energy) -> Self {
-        let emission = material.emission.as_dvec3();
-        Self { bsdf: Bsdf::new(material, energy), emission, one_sided: material.one_sided }
-    }
-}
-
 /// A mesh's triangles in world space.
 fn place(mesh: &MeshData, transform: Transform, substance: usize) -> impl Iterator<Item = Triangle> + '_ {
     let turn = transform.0.matrix3.inverse().transpose();
@@ -154,6 +179,11 @@ fn place(mesh: &MeshData, transform: Transform, substance: usize) -> impl Iterat
     mesh.triangles.iter().enumerate().map(move |(i, corners)| Triangle {
         corners: corners.map(|i| transform.0.transform_point3(mesh.positions[i as usize])),
         normals: mesh.normal_triangles.get(i).map(|corners| corners.map(normal)),
+        uvs: mesh
+            .uv_triangles
+            .get(i)
+            .map_or([DVec2::ZERO; 3], |corners| corners.map(|i| mesh.uvs[i as usize].as_dvec2())),
+        tangents: None,
         substance,
     })
 }

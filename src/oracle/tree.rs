@@ -79,8 +79,9 @@ impl Tree {
         self.split(range.start + half..range.end);
     }
 
-    /// The hit of least (t, triangle) beyond the surface that the ray starts on.
-    pub fn closest(&self, origin: DVec3, direction: DVec3) -> Option<Hit> {
+    /// The hit of least (t, triangle) beyond the surface that the ray starts on, of those that are there. A triangle's hit is
+    /// asked for once at most.
+    pub fn closest(&self, origin: DVec3, direction: DVec3, mut is_there: impl FnMut(&Hit) -> bool) -> Option<Hit> {
         // So that 0 times the inverse is a number.
         let inverse = direction.map(|d| 1.0 / if d.abs() < 1e-300 { 1e-300 } else { d });
         let mut best: Option<Hit> = None;
@@ -102,8 +103,13 @@ impl Tree {
                 }
                 Content::Leaf(range) => {
                     let found = self.triangles[range.clone()].iter().filter_map(|t| intersect(t, origin, direction));
-                    let beyond = found.filter(|hit| hit.t > LEAST_T * self.extent);
-                    best = beyond.chain(best).min_by(|a, b| a.t.total_cmp(&b.t).then(a.triangle.cmp(&b.triangle)));
+                    for hit in found.filter(|hit| hit.t > LEAST_T * self.extent) {
+                        let before =
+                            |best: &Hit| hit.t.total_cmp(&best.t).then(hit.triangle.cmp(&best.triangle)).is_lt();
+                        if best.as_ref().is_none_or(before) && is_there(&hit) {
+                            best = Some(hit);
+                        }
+                    }
                 }
             }
         }

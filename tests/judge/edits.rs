@@ -69,8 +69,8 @@ fn a_wrong_pdf_is_called_wrong() {
 fn a_lost_light_is_called_darker_wherever_it_shone() {
     let new = edited(
         "passes/trace/connect",
-        "light.emission, light.triangle, point, end)",
-        "0.5 * light.emission, light.triangle, point, end)",
+        "radiance, light.triangle, point, end)",
+        "0.5 * radiance, light.triangle, point, end)",
         1,
     );
     let ran = judge(5, new.path(), "32x32", &["--spp", "2", "--films", "256", "-D", "render.max_depth=2"]);

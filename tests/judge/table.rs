@@ -51,8 +51,7 @@ const PHONG: &str = "lib/bsdf/phong";
 const MIXTURE: &str = "lib/bsdf/mixture";
 const LIGHT: &str = "lib/light";
 const SAMPLING: &str = "lib/sampling";
-const FOUND: &str =
-    "light *= power_heuristic((*state).pdf, light_pdf(params, material, area_normal, (*state).direction, hit.t));";
+const FOUND: &str = "light *= power_heuristic((*state).pdf, light_pdf(params, material, mean, area_normal, (*state).direction, hit.t));";
 const SAMPLED: &str = "(power_heuristic(drawn.pdf, at.pdf) / drawn.pdf)";
 const SURVIVAL: &str = "largest_of((*state).throughput) * (*state).eta_scale";
 

@@ -39,12 +39,12 @@ fn wrong_shaders_leave_the_picture_and_say_where() {
     check(bench, PATH, ("(*state).rays += 1u;", "(*state).rays += 1.5f;"), "(*state).rays += 1.5f", "");
     check(bench, PATH, ("import package::lib::fault::{fault_of};", ""), "fault_of((*state)", "`fault_of`");
     check(bench, PATH, ("package::lib::fault::", "package::lib::faults::"), "fault_of};", "no module `lib/faults`");
-    check(bench, PATH, ("materials", "stuff"), "fn path(", "binds `materials`");
+    check(bench, PATH, ("params", "stuff"), "fn path(", "binds `params`");
     check(
         bench,
         PATH,
-        ("@binding(3) var<storage, read>", "@binding(2) var<storage, read>"),
-        "var<storage, read> materials:",
+        ("@binding(4) var<storage, read_write>", "@binding(2) var<storage, read_write>"),
+        "var<storage, read_write> radiance:",
         "@binding(2)",
     );
     check(bench, PATH, ("fn path(", "fn paths("), "// Paths from the camera", "entry point `path`");

@@ -1,10 +1,13 @@
 //! Textures: pictures of every kind that models name, by their texels; how scenes come to them; and what is made of them.
 
+mod board;
 mod fuzz;
-mod garden;
+pub mod garden;
 mod kinds;
 mod limits;
 mod load;
+mod lookups;
+mod oracle;
 mod refusals;
 mod twin;
 
