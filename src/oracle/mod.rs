@@ -1,7 +1,7 @@
 //! A path tracer in f64 on a scene's components: the judge of every estimator of the GPU.
 //!
 //! It shares nothing with what it judges: its own rays, random numbers, BSDFs and lights, each as plain as can be. So it
-//! knows `components` alone, neither the structs shared with WGSL nor their twins.
+//! knows `components` alone, neither the structs shared with WGSL nor their twins. Tangents alone come from the same crate.
 
 pub mod bsdf;
 mod choice;

@@ -121,7 +121,7 @@ impl Scene {
         let side = if on_mesh.dot(geometric) < 0.0 { -1.0 } else { 1.0 };
         let mut shading = side * on_mesh;
         if let (Some(local), Some(tangents)) = (self.substance(hit).relief(self.uv(hit), random), &triangle.tangents) {
-            let bent = side * tangents.to_world(local, on_mesh, hit.b);
+            let bent = side * tangents.bend(local, on_mesh, hit.b);
             // The facet stays in front of what the picture says.
             shading = turned(bent, shading.dot(geometric), geometric);
         } else if smooth.is_none() {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 
 use super::bsdf::Bsdf;
 use super::random::Random;
@@ -53,28 +53,29 @@ impl<'w> Textures<'w> {
 
 impl Substance {
     pub fn new(material: &Material, maps: &Maps, textures: &mut Textures, render: &Render) -> Self {
-        let mut substance = Self {
-            material: *material,
+        let opacity = textures.map(maps.opacity);
+        let diffuse = textures.map(maps.diffuse);
+        let (mut material, mut coverage) = (*material, 1.0);
+        if let (Passage::SeeThrough(there), Some(_)) = (material.passage, &opacity) {
+            coverage = there.into();
+            material.passage = Passage::Opaque;
+        }
+        if diffuse.is_some() && render.diffuse_map == DiffuseMap::Replace {
+            material.diffuse = Vec3::ONE;
+        }
+        Self {
+            material,
             energy: render.energy,
-            bsdf: Bsdf::new(material, render.energy),
-            diffuse: textures.map(maps.diffuse),
+            bsdf: Bsdf::new(&material, render.energy),
+            diffuse,
             specular: textures.map(maps.specular),
             lobe: textures.map(maps.lobe),
             metallic: textures.map(maps.metallic),
             emission: textures.map(maps.emission),
-            opacity: textures.map(maps.opacity),
+            opacity,
             relief: textures.map(maps.relief),
-            coverage: 1.0,
-        };
-        if let (Passage::SeeThrough(opacity), Some(_)) = (material.passage, &substance.opacity) {
-            substance.coverage = opacity.into();
-            substance.material.passage = Passage::Opaque;
+            coverage,
         }
-        if substance.diffuse.is_some() && render.diffuse_map == DiffuseMap::Replace {
-            substance.material.diffuse = glam::Vec3::ONE;
-        }
-        substance.bsdf = Bsdf::new(&substance.material, render.energy);
-        substance
     }
 
     /// The BSDF at a point, of one texel of each map: none of its numbers need be in proportion to what is reflected.

@@ -35,8 +35,8 @@ impl Tangents {
         spaces.chunks_exact(3).map(of_triangle).collect()
     }
 
-    /// A direction of tangent space in world space, about a unit normal, at weights of the second and third corner.
-    pub fn to_world(&self, local: DVec3, normal: DVec3, b: [f64; 2]) -> DVec3 {
+    /// A direction of tangent space in world space, about a unit normal there, at weights of the second and third corner.
+    pub fn bend(&self, local: DVec3, normal: DVec3, b: [f64; 2]) -> DVec3 {
         let [p, q, r] = self.corners;
         let along = (1.0 - b[0] - b[1]) * p + b[0] * q + b[1] * r;
         let along = along - along.dot(normal) * normal;

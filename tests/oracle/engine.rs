@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use bevy_ecs::prelude::*;
-use glam::Vec3;
-use lucerna::components::{Integrator, Material, Render, Sampler, Transform};
+use glam::{DMat3, Vec3};
+use lucerna::components::{Daylight, Environment, Integrator, Lobe, Material, Render, Sampler, Transform};
 use lucerna::oracle::Oracle;
 use lucerna::scene::generate::to_mesh;
 use lucerna::scene::{MeshEntry, SceneDescription};
@@ -49,6 +49,48 @@ fn thousand_lights(side: u32) -> SceneDescription {
     description
 }
 
+/// A floor and a wall, rough and shiny, in the open.
+fn yard(side: u32, environment: Environment) -> SceneDescription {
+    let mut description = shipped("teapot", side);
+    description.meshes.clear();
+    description.materials.clear();
+    let floor = crate::support::stage::quad(Vec3::new(-9.0, 0.0, 9.0), 18.0 * Vec3::X, -18.0 * Vec3::Z);
+    let wall = crate::support::stage::quad(Vec3::new(-5.0, 0.0, 6.0), 7.0 * Vec3::Y, -12.0 * Vec3::Z);
+    let shiny = Material { specular: Vec3::splat(0.3), lobe: Lobe::Ggx(0.7), ..matte(Vec3::new(0.6, 0.5, 0.4)) };
+    for (name, part, material) in [("floor", floor, shiny), ("wall", wall, matte(Vec3::splat(0.7)))] {
+        description.materials.insert(name.to_owned(), material.into());
+        let geometry = Arc::new(to_mesh(&part));
+        let mesh = MeshEntry { geometry, transform: Transform::default(), material: name.to_owned() };
+        description.meshes.insert(name.to_owned(), mesh);
+    }
+    description.environment = Some(environment);
+    description
+}
+
+/// The sky of the tests, turned every way and tinted.
+fn turned_sky() -> Environment {
+    let turn = DMat3::from_rotation_z(0.5) * DMat3::from_rotation_y(-1.2) * DMat3::from_rotation_x(0.8);
+    match sky_map() {
+        Environment::Map { image, strength, .. } => {
+            Environment::Map { image, strength, tint: Vec3::new(0.5, 1.0, 2.0), turn }
+        }
+        other => other,
+    }
+}
+
+/// A day with a low sun.
+fn day() -> Environment {
+    let ground = Vec3::new(0.4, 0.3, 0.2);
+    Environment::Daylight(Daylight {
+        elevation: 35.0,
+        azimuth: 110.0,
+        turbidity: 4.0,
+        ground,
+        strength: 0.7,
+        sun_size: 5.0,
+    })
+}
+
 /// Whether the engine and the oracle agree on a scene, `spp` samples of each a pixel and batch; and whether an error of 2.5 % in
 /// the one is seen: 6.4 standard errors of 0.3 % are 1.9 %.
 fn judge(name: &str, mut description: SceneDescription, integrator: Integrator, sampler: Sampler, spp: u32) {
@@ -80,9 +122,16 @@ fn equals_the_engine() {
     let mut under_sky = shipped("teapot", 12);
     under_sky.environment = Some(sky_map());
     judge("teapot under a sky", under_sky, Integrator::Path, Sampler::Sobol, 100);
+    judge("a yard under a turned sky", yard(12, turned_sky()), Integrator::Path, Sampler::Sobol, 128);
+    judge("a yard by day", yard(12, day()), Integrator::Path, Sampler::Sobol, 128);
     if !support::stress() {
         return;
     }
+    judge("a yard by day", yard(24, day()), Integrator::Bsdf, Sampler::Pcg, 8192);
+    judge("a yard under a turned sky", yard(24, turned_sky()), Integrator::Bsdf, Sampler::Pcg, 2048);
+    let open = |environment| SceneDescription { environment: Some(environment), ..shipped("teapot", 24) };
+    judge("teapot under a turned sky", open(turned_sky()), Integrator::Path, Sampler::Sobol, 4096);
+    judge("teapot by day", open(day()), Integrator::Path, Sampler::Sobol, 2048);
     // Each estimator on each kind of scene: on a GPU, and on more than two cores.
     for sampler in [Sampler::Sobol, Sampler::Pcg] {
         judge("teapot", shipped("teapot", 24), Integrator::Path, sampler, 256);

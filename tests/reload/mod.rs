@@ -10,6 +10,7 @@ mod saves;
 mod scenes;
 mod slow;
 mod table;
+mod textures;
 mod watch;
 mod wrong;
 

@@ -1,5 +1,6 @@
 //! A wall of square patches, each of them another material with maps, filling the film: so each patch has its own block of pixels.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
@@ -8,6 +9,7 @@ use lucerna::components::{
     Camera, Channel, Environment, Film, Lobe, Maps, Material, MeshData, Reading, Render, Texels, Texture, TextureImage,
     Transform, Wrap,
 };
+use lucerna::scene::generate::icosphere;
 use lucerna::scene::{self, MeshEntry, SceneDescription};
 
 /// A scene, and the textures of its materials by their names.
@@ -154,7 +156,7 @@ pub const COLUMNS: usize = 4;
 /// Every map alone, every way to look up, and all together.
 pub fn wall(render: Render) -> Scene {
     let mut scene = Scene::new(2 * COLUMNS as u32, render);
-    scene.lamp(Vec3::new(9.0, 8.0, 7.0), Textures::default());
+    scene.lamp(Vec3::new(5.0, 4.5, 4.0), Textures::default());
     let plain = Material { diffuse: Vec3::new(0.6, 0.7, 0.8), ..Material::default() };
     let shiny = |lobe| Material { diffuse: Vec3::splat(0.3), specular: Vec3::splat(0.5), lobe, ..Material::default() };
     let diffuse = |texture| Textures { diffuse: Some(texture), ..Textures::default() };
@@ -210,5 +212,27 @@ pub fn wall(render: Render) -> Scene {
         let scale = DVec3::new(if mirrored { -1.0 } else { 1.0 }, 1.0, 1.0);
         scene.part(&format!("patch {i}"), mesh, DAffine3::from_scale(scale), material, maps);
     }
+    scene
+}
+
+/// A smooth ball with relief, turned, stretched and mirrored, below the lamp.
+pub fn ball(render: Render) -> Scene {
+    let mut scene = Scene::new(8, render);
+    scene.lamp(Vec3::new(5.0, 4.5, 4.0), Textures::default());
+    let corners = icosphere(2);
+    let triangles: Vec<[u32; 3]> = (0..corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let uv = |n: &DVec3| Vec2::new((n.x.atan2(n.z) / TAU) as f32, (0.5 + 0.5 * n.y) as f32);
+    let mesh = MeshData {
+        positions: corners.iter().flatten().copied().collect(),
+        triangles: triangles.clone(),
+        normals: corners.iter().flatten().map(|n| n.as_vec3()).collect(),
+        normal_triangles: triangles.clone(),
+        uvs: corners.iter().flatten().map(uv).collect(),
+        uv_triangles: triangles,
+    };
+    let turn = DAffine3::from_axis_angle(DVec3::new(0.6, 0.0, 0.8), 0.7);
+    let material = Material { specular: Vec3::splat(0.3), lobe: Lobe::Phong(8.0), ..Material::default() };
+    let maps = Textures { relief: Some(heights([12, 7], 0.2)), diffuse: Some(colour([5, 4])), ..Textures::default() };
+    scene.part("ball", mesh, turn * DAffine3::from_scale(DVec3::new(-0.9, 0.7, 0.8)), material, maps);
     scene
 }

@@ -1,9 +1,11 @@
 //! Textures: pictures of every kind that models name, by their texels; how scenes come to them; and what is made of them.
 
 mod board;
+mod furnace;
 mod fuzz;
 pub mod garden;
 mod kinds;
+mod leaves;
 mod limits;
 mod load;
 mod lookups;

@@ -232,4 +232,4 @@ fn record(texture: &Texture, size: UVec2, levels: u32, kind: u32, channel: Chann
     }
 }
 
-const _: () = assert!(TILE * TILE % 4 == 0, "codes fill whole words");
+const _: () = assert!((TILE * TILE).is_multiple_of(4), "codes fill whole words");

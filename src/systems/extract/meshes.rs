@@ -49,6 +49,7 @@ fn meshes_changed(
 
 /// Finds the meshes that are not what their slots say, and flattens those into the tables; all of them where the origin moves,
 /// the order changes, or normals come or go.
+#[expect(clippy::too_many_arguments, reason = "a system's arguments are what it reads and writes")]
 fn extract_meshes(
     meshes: Query<Mesh>,
     materials: Query<&MaterialSlot>,
