@@ -14,7 +14,7 @@ use crate::layout::texture::{CornerUvs, MaterialMaps};
 use crate::layout::trace::{MaterialRecord, luminance};
 use crate::layout::tree::Triangle;
 use crate::prepare;
-use crate::systems::resources::{Everything, LightDensity, MeanEmission, Policy, TextureSlot, Textures};
+use crate::systems::resources::{Everything, LightDensity, MeanEmission, Policy, Texel, TextureSlot};
 use crate::systems::run::counted;
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -29,10 +29,10 @@ fn lights_changed(
     records: Res<GpuTable<MaterialRecord>>,
     maps: Res<GpuTable<MaterialMaps>>,
     uvs: Res<GpuTable<CornerUvs>>,
-    textures: Res<Textures>,
+    texels: Res<GpuTable<Texel>>,
     policy: Res<Policy>,
 ) -> bool {
-    let surfaces = records.is_changed() || maps.is_changed() || uvs.is_changed() || textures.is_changed();
+    let surfaces = records.is_changed() || maps.is_changed() || uvs.is_changed() || texels.is_changed();
     everything.0 || triangles.is_changed() || surfaces || policy.is_changed()
 }
 
