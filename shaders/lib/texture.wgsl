@@ -2,7 +2,7 @@
 // trilinear filtering (Pharr, Wronski, Salvi, Fajardo: Filtering After Shading with Stochastic Texture Filtering, 2024), so that the mean is
 // the filtered value.
 
-import package::gen::{TEXTURE_CHANNEL_SHIFT, TEXTURE_CLAMP_U, TEXTURE_CLAMP_V, TextureRecord};
+import package::gen::{MOST_LOOKUPS, TEXTURE_CHANNEL_SHIFT, TEXTURE_CLAMP_U, TEXTURE_CLAMP_V, TextureRecord};
 import package::lib::colour::{luminance};
 
 // A point of a surface as textures see it.
@@ -10,8 +10,10 @@ struct TexturePoint {
     // Of the triangle's first corner, v up, and from there to the point: apart, so that large coordinates keep their digits.
     corner: vec2<f32>,
     offset: vec2<f32>,
-    // Binary logarithm of the footprint's width, in texture coordinates.
+    // Binary logarithm of the footprint's width across its long axis, in texture coordinates.
     width: f32,
+    // The long axis: by how much the footprint is longer than wide, in texture coordinates.
+    along: vec2<f32>,
 }
 
 struct TexelPlace {
@@ -89,6 +91,19 @@ fn two_halves(word: u32) -> vec2<f32> {
 fn nearest_texel(t: TextureRecord, point: TexturePoint) -> TexelPlace {
     let size = vec2<u32>((t.size & 0xffffu) + 1u, (t.size >> 16u) + 1u);
     return TexelPlace(0u, min(vec2<u32>(point_in_picture(t, point) * vec2<f32>(size)), size - 1u), size);
+}
+
+// How many lookups a long footprint is worth: one a texel that lies along it, of the level that its width asks for.
+fn lookups_along(t: TextureRecord, point: TexturePoint) -> u32 {
+    let size = vec2<f32>(f32(t.size & 0xffffu), f32(t.size >> 16u)) + 1.0;
+    let texels = length(point.along * t.scale * size) * exp2(-level_of(t, point));
+    return u32(clamp(ceil(texels), 1.0, f32(MOST_LOOKUPS)));
+}
+
+// One of several lookups spread evenly along a footprint.
+fn point_along(point: TexturePoint, number: u32, count: u32) -> TexturePoint {
+    let place = (f32(number) + 0.5) / f32(count) - 0.5;
+    return TexturePoint(point.corner, point.offset + place * point.along, point.width, vec2<f32>(0.0));
 }
 
 // The level that a footprint asks for.

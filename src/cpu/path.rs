@@ -16,9 +16,7 @@ use super::textured::Cone;
 use super::triangles::{HitF64, TriangleSet};
 use crate::layout::light::LightTable;
 use crate::layout::sky::SkyTable;
-use crate::layout::texture::{
-    CUTOUT_DIMENSIONS, MaterialMaps, POINT, TEXTURE_DIMENSIONS, TEXTURE_DIMENSIONS_PER_BOUNCE,
-};
+use crate::layout::texture::{CUTOUT_DIMENSIONS, MaterialMaps, TEXTURE_DIMENSIONS, TEXTURE_DIMENSIONS_PER_BOUNCE};
 use crate::layout::trace::{
     DIMENSIONS_PER_BOUNCE, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_CHOICES,
     SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, SampleKey, Shading, TraceParams,
@@ -96,14 +94,16 @@ impl<'a> PathScene<'a> {
             let material = &self.materials[hit.triangle.material as usize];
             let [a, b, c] = hit.triangle.corners;
             let area_normal = (b - a).cross(c - a);
-            let texturing = self.texturing(&hit, cone, area_normal, direction, (key, bounce));
+            let texturing = self.texturing(&hit, cone, direction, (key, bounce));
             let frame = self.frame(&hit, -direction, &texturing);
             if !(frame.back_face && material.flags & MATERIAL_ONE_SIDED != 0) {
                 let pdf_of =
                     |sampler: &LightSampler| sampler.light_pdf(hit.triangle.index, area_normal, direction, hit.t);
                 let weight = weight_of_finding(pdf, sampler.as_ref().and_then(pdf_of));
-                let width = if pdf > 0.0 { f64::from(POINT) } else { texturing.point.width };
-                let point = TexturePoint { width, ..texturing.point };
+                let point = match pdf > 0.0 {
+                    true => self.textures.point(hit.triangle.index, hit.b),
+                    false => texturing.point,
+                };
                 let part = self.emission_part(&texturing.maps, point, texturing.others.y);
                 traced.radiance += throughput * material.emission.as_dvec3() * part * weight;
             }
@@ -163,17 +163,10 @@ impl<'a> PathScene<'a> {
     }
 
     /// What is known of a hit before a texel is looked up.
-    fn texturing(
-        &self,
-        hit: &HitF64,
-        cone: Cone,
-        area_normal: DVec3,
-        direction: DVec3,
-        (key, bounce): (SampleKey, u32),
-    ) -> Texturing {
+    fn texturing(&self, hit: &HitF64, cone: Cone, direction: DVec3, (key, bounce): (SampleKey, u32)) -> Texturing {
         let maps = self.textures.maps(hit.triangle.material);
-        let width = cone.footprint(hit.t, area_normal.normalize().dot(direction));
-        let point = self.textures.point(hit.triangle.index, hit.b, width);
+        let ahead = cone.long_axis(hit.t, hit.triangle.corners, direction);
+        let point = self.textures.point_with(hit.triangle.index, hit.b, cone.width_at(hit.t), ahead);
         let first = TEXTURE_DIMENSIONS + bounce * TEXTURE_DIMENSIONS_PER_BOUNCE;
         let [colours, others] = [first, first + 4].map(|dimension| self.sampler.sample_4d(key, dimension));
         Texturing { maps, point, colours, others }
@@ -234,7 +227,7 @@ impl<'a> PathScene<'a> {
             let material = self.materials_of[triangle as usize];
             let maps = self.textures.maps(material);
             if maps.emission != 0 {
-                let point = self.textures.point(triangle, from.weights, POINT.into());
+                let point = self.textures.point(triangle, from.weights);
                 let emission = self.materials[material as usize].emission.as_dvec3();
                 from.radiance = emission * self.emission_part(&maps, point, texel);
             }

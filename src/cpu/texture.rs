@@ -4,10 +4,16 @@ use glam::{DVec2, DVec3, DVec4, UVec2};
 
 use crate::image::srgb::srgb_decode;
 use crate::layout::texture::{
-    CornerUvs, MaterialMaps, POINT, TEXEL_KIND, TEXEL_R8, TEXEL_R16, TEXEL_RGBA8, TEXEL_RGBA16F, TEXTURE_CHANNEL_SHIFT,
-    TEXTURE_CLAMP_U, TEXTURE_CLAMP_V, TEXTURE_SRGB, Tangents, TextureRecord, texel_index,
+    CornerUvs, MOST_LOOKUPS, MaterialMaps, POINT, TEXEL_KIND, TEXEL_R8, TEXEL_R16, TEXEL_RGBA8, TEXEL_RGBA16F,
+    TEXTURE_CHANNEL_SHIFT, TEXTURE_CLAMP_U, TEXTURE_CLAMP_V, TEXTURE_SRGB, Tangents, TextureRecord, texel_index,
 };
 use crate::layout::trace::luminance;
+
+/// The golden section, as the kernel has it.
+const GOLDEN: f64 = 0.618034_f32 as f64;
+
+/// A footprint that covers more pictures than these along its axis is not followed.
+const LONGEST: f64 = 65_536.0;
 
 /// All that the kernel gets of textures; empty where there are none.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,8 +33,10 @@ pub struct TextureSet<'a> {
 pub struct TexturePoint {
     /// v up.
     pub uv: DVec2,
-    /// Binary logarithm of the footprint's width, in texture coordinates.
+    /// Binary logarithm of the footprint's width across its long axis, in texture coordinates.
     pub width: f64,
+    /// The long axis: by how much the footprint is longer than wide, in texture coordinates.
+    pub along: DVec2,
 }
 
 /// A texel: its level, and column and row in it.
@@ -44,11 +52,31 @@ impl<'a> TextureSet<'a> {
         self.maps.get(material as usize).copied().unwrap_or_default()
     }
 
-    /// The point of a triangle with weights of its second and third corner, and a footprint of such a binary logarithm, scene units.
-    pub fn point(&self, triangle: u32, b: [f64; 2], width: f64) -> TexturePoint {
-        let corners = self.uvs.get(triangle as usize).copied().unwrap_or_default();
-        let uv = corners.a.as_dvec2() + b[0] * corners.b.as_dvec2() + b[1] * corners.c.as_dvec2();
-        TexturePoint { uv, width: width + f64::from(corners.density) }
+    /// The point of a triangle with weights of its second and third corner, without a footprint.
+    pub fn point(&self, triangle: u32, b: [f64; 2]) -> TexturePoint {
+        let uv = self.corners(triangle).a.as_dvec2() + self.change_of_uv(triangle, b);
+        TexturePoint { uv, width: POINT.into(), along: DVec2::ZERO }
+    }
+
+    /// The same with a footprint: its short axis, scene units, and how the weights change along the long one.
+    pub fn point_with(&self, triangle: u32, b: [f64; 2], width: f64, ahead: [f64; 2]) -> TexturePoint {
+        let point = self.point(triangle, b);
+        if width <= 0.0 {
+            return point;
+        }
+        let along = self.change_of_uv(triangle, ahead);
+        let along = if along.abs().max_element() < LONGEST { along } else { DVec2::ZERO };
+        TexturePoint { width: width.max(1e-30).log2() + f64::from(self.corners(triangle).density), along, ..point }
+    }
+
+    fn corners(&self, triangle: u32) -> CornerUvs {
+        self.uvs.get(triangle as usize).copied().unwrap_or_default()
+    }
+
+    /// By how much coordinates change with the weights of a triangle's second and third corner.
+    fn change_of_uv(&self, triangle: u32, b: [f64; 2]) -> DVec2 {
+        let corners = self.corners(triangle);
+        b[0] * corners.b.as_dvec2() + b[1] * corners.c.as_dvec2()
     }
 
     /// The record of a map, which is not none.
@@ -56,11 +84,16 @@ impl<'a> TextureSet<'a> {
         &self.records[map as usize - 1]
     }
 
-    /// A colour of a map.
+    /// A colour of a map: the mean of texels along the footprint.
     pub fn colour(&self, map: u32, point: TexturePoint, u: f64) -> DVec3 {
         let t = self.record(map);
-        let texel = self.texel(t, draw_texel(t, point, u)).truncate();
-        (f64::from(t.base) + f64::from(t.gain) * texel).max(DVec3::ZERO)
+        let count = lookups_along(t, point);
+        let one = |i: u32| {
+            let uv = point.uv + ((f64::from(i) + 0.5) / f64::from(count) - 0.5) * point.along;
+            let place = draw_texel(t, TexturePoint { uv, ..point }, (u + f64::from(i) * GOLDEN).fract());
+            (f64::from(t.base) + f64::from(t.gain) * self.texel(t, place).truncate()).max(DVec3::ZERO)
+        };
+        (0..count).map(one).sum::<DVec3>() / f64::from(count)
     }
 
     /// A number of a map.
@@ -104,8 +137,7 @@ impl<'a> TextureSet<'a> {
     /// Whether a point of a triangle with holes is there, by two numbers in [0, 1).
     pub fn is_there(&self, material: u32, triangle: u32, b: [f64; 2], u: [f64; 2]) -> bool {
         let maps = self.maps(material);
-        let point = |set: &Self| set.point(triangle, b, f64::from(POINT));
-        maps.opacity == 0 || u[1] < f64::from(maps.coverage) * self.number(maps.opacity, point(self), u[0])
+        maps.opacity == 0 || u[1] < f64::from(maps.coverage) * self.number(maps.opacity, self.point(triangle, b), u[0])
     }
 }
 
@@ -134,6 +166,12 @@ pub fn draw_texel(t: &TextureRecord, point: TexturePoint, u: f64) -> TexelPlace 
         if clamps[axis] { texel.clamp(0, most - 1) as u32 } else { texel.rem_euclid(most) as u32 }
     };
     TexelPlace { level, at: UVec2::new(axis(0), axis(1)) }
+}
+
+/// How many lookups a long footprint is worth: one a texel that lies along it, of the level that its width asks for.
+fn lookups_along(t: &TextureRecord, point: TexturePoint) -> u32 {
+    let long = (point.along * t.scale.as_dvec2() * t.level_size(0).as_dvec2()).length();
+    (long / level_of(t, point).exp2()).ceil().clamp(1.0, f64::from(MOST_LOOKUPS)) as u32
 }
 
 /// The level that a footprint asks for.

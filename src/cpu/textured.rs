@@ -80,6 +80,9 @@ impl TextureSet<'_> {
     }
 }
 
+/// Cosine of the greatest slant that a footprint follows.
+const LEAST_SLANT: f64 = 1e-3;
+
 /// The cone of a path: its width where the ray begins, scene units, and how that grows by distance.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cone {
@@ -88,14 +91,24 @@ pub struct Cone {
 }
 
 impl Cone {
-    /// The binary logarithm of the footprint where the ray meets a surface of a unit normal at a distance.
-    pub fn footprint(&self, distance: f64, slant: f64) -> f64 {
-        (self.width + self.spread * distance).max(1e-30).log2() - 0.5 * slant.abs().max(1e-3).log2()
+    /// How wide the cone is at a distance: the short axis of the ellipse that it covers of a surface there.
+    pub fn width_at(&self, distance: f64) -> f64 {
+        self.width + self.spread * distance
+    }
+
+    /// By how much the long axis of that ellipse is longer, in weights of the second and third corner of the triangle.
+    pub fn long_axis(&self, distance: f64, corners: [DVec3; 3], direction: DVec3) -> [f64; 2] {
+        let (ab, ac) = (corners[1] - corners[0], corners[2] - corners[0]);
+        let area_normal = ab.cross(ac);
+        let unit = area_normal.normalize();
+        let slant = unit.dot(direction);
+        let ahead = (direction - slant * unit) * (self.width_at(distance) / slant.abs().max(LEAST_SLANT));
+        [ahead.cross(ac), ab.cross(ahead)].map(|part| part.dot(unit) / area_normal.length())
     }
 
     /// The cone behind a surface at a distance, of which `part` of a drawn solid angle counts.
     pub fn spread_by(self, distance: f64, curvature: f64, frame: &ShadingFrame, drawn: &BsdfSample, part: f64) -> Cone {
-        let width = self.width + self.spread * distance;
+        let width = self.width_at(distance);
         let bends = drawn.direction != -frame.wo;
         let spread = match drawn.pdf > 0.0 {
             true => self.spread.max(part / drawn.pdf.sqrt()),

@@ -10,7 +10,7 @@ use super::traverse::closest_hit_of;
 use super::tree::Tree;
 use crate::image::srgb::srgb_byte;
 use crate::layout::ray::{Hit, NO_HIT, Ray, T_FAR};
-use crate::layout::texture::{POINT, TEXEL_KIND, TEXEL_SLOPES};
+use crate::layout::texture::{TEXEL_KIND, TEXEL_SLOPES};
 use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
 use crate::layout::tree::Triangle;
 use crate::layout::view::{
@@ -58,7 +58,7 @@ impl ViewScene<'_> {
             VIEW_ALBEDO => {
                 let material = &self.materials[triangle.material as usize];
                 let maps = self.textures.maps(triangle.material);
-                let point = self.textures.point(triangle.index, weights(&hit), POINT.into());
+                let point = self.textures.point(triangle.index, weights(&hit));
                 let part = |map: u32| if map == 0 { DVec3::ONE } else { self.textures.colour(map, point, 0.5) };
                 let (kd, ks) =
                     (material.kd.as_dvec3() * part(maps.diffuse), material.ks.as_dvec3() * part(maps.specular));
@@ -69,12 +69,12 @@ impl ViewScene<'_> {
             VIEW_MATERIAL => material_colour(triangle.material),
             VIEW_COST => heat(hit.steps, VIEW_MOST_STEPS),
             VIEW_UV if !self.textures.maps.is_empty() => {
-                let uv = self.textures.point(triangle.index, weights(&hit), POINT.into()).uv;
+                let uv = self.textures.point(triangle.index, weights(&hit)).uv;
                 [code(uv.x - uv.x.floor()), code(uv.y - uv.y.floor()), 0]
             }
             VIEW_TEXEL if self.first_map(triangle) != 0 => self.texel(triangle, &hit),
             VIEW_LEVEL if self.first_map(triangle) != 0 => {
-                heat((self.level(params, triangle, &hit, ray.direction) * 64.0) as u32, 64 * VIEW_MOST_LEVELS)
+                heat((self.level(params, triangle, &hit) * 64.0) as u32, 64 * VIEW_MOST_LEVELS)
             }
             _ => [0; 3],
         })
@@ -87,7 +87,7 @@ impl ViewScene<'_> {
     /// The texel of the first map, as light; slopes are shown about a grey.
     fn texel(&self, triangle: &Triangle, hit: &Hit) -> [u8; 3] {
         let t = self.textures.record(self.first_map(triangle));
-        let place = nearest_texel(t, self.textures.point(triangle.index, weights(hit), POINT.into()));
+        let place = nearest_texel(t, self.textures.point(triangle.index, weights(hit)));
         let texel = self.textures.texel(t, place).truncate();
         let slopes = t.format & TEXEL_KIND == TEXEL_SLOPES;
         let shown = if slopes { 0.5 + 0.5 * f64::from(t.gain) * texel } else { texel };
@@ -95,13 +95,10 @@ impl ViewScene<'_> {
     }
 
     /// The level of the first map that the camera's footprint asks for.
-    fn level(&self, params: &ViewParams, triangle: &Triangle, hit: &Hit, direction: Vec3) -> f64 {
-        let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(Vec3::as_dvec3);
-        let slant = (b - a).cross(c - a).normalize_or_zero().dot(direction.as_dvec3());
+    fn level(&self, params: &ViewParams, triangle: &Triangle, hit: &Hit) -> f64 {
         let cone = Cone { width: 0.0, spread: params.trace_params.cone_spread.into() };
-        let footprint = cone.footprint(hit.t.into(), slant);
         let t = self.textures.record(self.first_map(triangle));
-        level_of(t, self.textures.point(triangle.index, weights(hit), footprint))
+        level_of(t, self.textures.point_with(triangle.index, weights(hit), cone.width_at(hit.t.into()), [0.0; 2]))
     }
 
     fn normal(&self, triangle: &Triangle, hit: &Hit, direction: Vec3) -> DVec3 {

@@ -3,7 +3,7 @@
 //! Plain functions, no system: they ask the device, and change nothing in the world.
 
 use bevy_ecs::prelude::*;
-use glam::{UVec2, Vec3};
+use glam::UVec2;
 
 use super::film::progress;
 use crate::components::{Name, UsesMaterial};
@@ -84,7 +84,7 @@ pub fn inspect(world: &mut World, pixel: UVec2) -> Result<Option<Inspected>, Eng
     let hit: Hit = device.read_one("hits", 0)?;
     let (radiance, samples) = pixel_mean(&held, exponent);
     let bad = held.halves.iter().map(|half| half.bad).sum();
-    let surface = surface_of(world, hit.triangle).map(|surface| look_up(world, surface, &shot, pixel, &hit));
+    let surface = surface_of(world, hit.triangle).map(|surface| look_up(world, surface, &shot, &hit));
     Ok(Some(Inspected { pixel, radiance, samples, bad, surface }))
 }
 
@@ -104,7 +104,7 @@ fn surface_of(world: &World, triangle: u32) -> Option<Seen> {
 }
 
 /// Adds what the surface's textures have where a ray through the middle of a pixel hits it.
-fn look_up(world: &World, surface: Seen, shot: &TraceParams, pixel: UVec2, hit: &Hit) -> Seen {
+fn look_up(world: &World, surface: Seen, shot: &TraceParams, hit: &Hit) -> Seen {
     let textures = TextureSet {
         records: world.resource::<GpuTable<TextureRecord>>().rows(),
         words: bytemuck::cast_slice(world.resource::<GpuTable<Texel>>().rows()),
@@ -119,11 +119,9 @@ fn look_up(world: &World, surface: Seen, shot: &TraceParams, pixel: UVec2, hit: 
     if !maps.is_textured() {
         return surface;
     }
-    let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(Vec3::as_dvec3);
-    let slant = (b - a).cross(c - a).normalize_or_zero().dot(middle_ray(shot, pixel).direction.as_dvec3());
     let cone = Cone { width: 0.0, spread: shot.cone_spread.into() };
     let weights = [hit.b1.into(), hit.b2.into()];
-    let point = textures.point(hit.triangle, weights, cone.footprint(hit.t.into(), slant));
+    let point = textures.point_with(hit.triangle, weights, cone.width_at(hit.t.into()), [0.0; 2]);
     let uses = &world.resource::<Textures>().uses;
     let named = [
         ("diffuse", maps.diffuse),

@@ -108,6 +108,12 @@ gpu_consts! {
     pub const NO_CHANCE: u32 = 0;
     /// What a cone grows by where a surface spreads it, by the root of the solid angle that a drawn direction stands for.
     pub const CONE_PART: f32 = 1.0 / 16.0;
+    /// The part of a pixel that the camera's cone is as wide as. Samples of a pixel are spread over it already: what a lookup takes in beyond
+    /// what lies between them blurs the picture. (Pharr, Jakob, Humphreys: Physically Based Rendering, 4th edition, 2023, section 10.1.3, has
+    /// the same least part.)
+    pub const CAMERA_PART: f32 = 0.125;
+    /// The most texels that are looked up along a footprint.
+    pub const MOST_LOOKUPS: u32 = 4;
     /// A footprint that is a point.
     pub const POINT: f32 = -1000.0;
 }

@@ -4,7 +4,7 @@ use glam::{DVec3, UVec2};
 
 use crate::components::{Camera, Crop, TextureFilter};
 use crate::layout::film::largest_sample;
-use crate::layout::texture::CONE_PART;
+use crate::layout::texture::{CAMERA_PART, CONE_PART};
 use crate::layout::trace::TraceParams;
 
 /// Writes the camera part, for a whole film of `film` pixels and a scene whose coordinates are relative to `origin`, in world
@@ -26,7 +26,10 @@ pub fn aim(params: &mut TraceParams, camera: &Camera, film: UVec2, origin: DVec3
 /// Writes how paths' cones grow, behind [`aim`].
 pub fn set_footprint(params: &mut TraceParams, filter: TextureFilter) {
     match filter {
-        TextureFilter::Footprint => params.cone_part = CONE_PART,
+        TextureFilter::Footprint => {
+            params.cone_spread *= CAMERA_PART;
+            params.cone_part = CONE_PART;
+        }
         TextureFilter::Exact => (params.cone_spread, params.cone_part) = (0.0, 0.0),
     }
 }

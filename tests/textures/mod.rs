@@ -4,6 +4,7 @@ mod board;
 mod furnace;
 mod fuzz;
 pub mod garden;
+mod horizon;
 mod kinds;
 mod leaves;
 mod limits;

@@ -1,6 +1,5 @@
 // Light that a map of emission sends out. Light sampling draws triangles by what their texels send on average, and looks the point up.
 
-import package::gen::{POINT};
 @if(lights) import package::gen::{LightRecord, MATERIAL_RECORD_EMISSION, MATERIAL_RECORD_STRIDE};
 @if(lights) import package::gen::{TRIANGLE_MATERIAL, TRIANGLE_STRIDE, material_record_emission, triangle_material};
 import package::lib::texture::{TexturePoint};
@@ -25,7 +24,7 @@ fn emission_part(material: u32, point: TexturePoint, u: f32) -> vec3<f32> {
 fn emission_at(light: LightRecord, weights: vec2<f32>, u: f32) -> vec3<f32> {
     let material = triangle_material(triangles[TRIANGLE_STRIDE * light.triangle + TRIANGLE_MATERIAL]);
     let emission = material_record_emission(materials[MATERIAL_RECORD_STRIDE * material + MATERIAL_RECORD_EMISSION]);
-    let point = texture_point(load_uvs(light.triangle), weights.x, weights.y, POINT);
+    let point = texture_point(load_uvs(light.triangle), weights.x, weights.y);
     return emission * emission_part(material, point, u);
 }
 

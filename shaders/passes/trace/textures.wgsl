@@ -2,14 +2,17 @@
 
 import package::gen::{CORNER_UVS_STRIDE, CornerUvs, MATERIAL_MAPS_STRIDE, MaterialMaps, TEXTURE_RECORD_STRIDE, TextureRecord};
 import package::gen::{unpack_corner_uvs, unpack_material_maps, unpack_texture_record};
-import package::gen::{TEXEL_KIND, TEXEL_R16, TEXEL_R8, TEXEL_RGBA16F, TEXEL_RGBA8, TEXEL_SLOPES, TEXTURE_SRGB};
+import package::gen::{POINT, TEXEL_KIND, TEXEL_R16, TEXEL_R8, TEXEL_RGBA16F, TEXEL_RGBA8, TEXEL_SLOPES, TEXTURE_SRGB};
 import package::lib::colour::{srgb_decode};
-import package::lib::texture::{TexelPlace, TexturePoint, channel_of, draw_texel, texel_index, two_halves};
+import package::lib::texture::{TexelPlace, TexturePoint, channel_of, draw_texel, lookups_along, point_along, texel_index, two_halves};
 
 @group(0) @binding(10) var<storage, read> uvs: array<vec4<u32>>;
 @group(0) @binding(11) var<storage, read> textures: array<vec4<u32>>;
 @group(0) @binding(12) var<storage, read> texels: array<u32>;
 @group(0) @binding(13) var<storage, read> material_maps: array<vec4<u32>>;
+
+// The golden section: its multiples' fractions lie evenly in [0, 1), wherever they begin.
+const GOLDEN: f32 = 0.618034;
 
 fn load_maps(material: u32) -> MaterialMaps {
     let at = MATERIAL_MAPS_STRIDE * material;
@@ -27,10 +30,9 @@ fn load_texture(map: u32) -> TextureRecord {
     return unpack_texture_record(textures[at], textures[at + 1u], textures[at + 2u]);
 }
 
-// The point of a triangle with weights b1 and b2 of its second and third corner. `width` is the binary logarithm of its footprint, scene
-// units.
-fn texture_point(corners: CornerUvs, b1: f32, b2: f32, width: f32) -> TexturePoint {
-    return TexturePoint(corners.a, b1 * corners.b + b2 * corners.c, width + corners.density);
+// The point of a triangle with weights b1 and b2 of its second and third corner, without a footprint.
+fn texture_point(corners: CornerUvs, b1: f32, b2: f32) -> TexturePoint {
+    return TexturePoint(corners.a, b1 * corners.b + b2 * corners.c, POINT, vec2<f32>(0.0));
 }
 
 // A texel, decoded: linear colour and alpha, or slopes.
@@ -64,10 +66,16 @@ fn load_texel(t: TextureRecord, place: TexelPlace) -> vec4<f32> {
     return texel;
 }
 
-// A colour of a map, which is not none; at least 0. `u` draws the texel.
+// A colour of a map, which is not none; at least 0: the mean of texels along the footprint, for light is linear in colours. `u` draws them.
 fn look_up_colour(map: u32, point: TexturePoint, u: f32) -> vec3<f32> {
     let t = load_texture(map);
-    return max(t.base + t.gain * load_texel(t, draw_texel(t, point, u)).rgb, vec3<f32>(0.0));
+    let count = lookups_along(t, point);
+    var sum = vec3<f32>(0.0);
+    for (var i = 0u; i < count; i++) {
+        let place = draw_texel(t, point_along(point, i, count), fract(u + f32(i) * GOLDEN));
+        sum += max(t.base + t.gain * load_texel(t, place).rgb, vec3<f32>(0.0));
+    }
+    return sum / f32(count);
 }
 
 // A number of a map, which is not none; at least 0.

@@ -69,16 +69,14 @@ fn heat(part: u32, most: u32) -> vec3<u32> {
 
 // Of textures: where they are looked up, what is found, and at which level.
 @if(textures || relief || emission_map || cutout)
-fn texture_view(triangle: Triangle, hit: Hit, direction: vec3<f32>) -> u32 {
+fn texture_view(triangle: Triangle, hit: Hit) -> u32 {
     if (params.mode == VIEW_UV) {
         return codes(vec3<f32>(fract(uv_at(triangle, hit)), 0.0));
     }
     if (params.mode == VIEW_TEXEL) {
         return srgb8(texel_at(triangle, hit));
     }
-    let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
-    let unit = normalize(area_normal / largest_of(abs(area_normal)));
-    let level = level_at(triangle, hit, params.trace_params.cone_spread * hit.t, dot(unit, direction));
+    let level = level_at(triangle, hit, params.trace_params.cone_spread * hit.t);
     return word(heat(u32(level * 64.0), VIEW_MOST_LEVELS * 64u));
 }
 
@@ -106,7 +104,7 @@ fn seen(hit: Hit, direction: vec3<f32>) -> u32 {
         }
         default: {
             @if(textures || relief || emission_map || cutout) {
-                colour = texture_view(triangle, hit, direction);
+                colour = texture_view(triangle, hit);
             }
         }
     }
