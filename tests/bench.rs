@@ -186,7 +186,7 @@ fn without_noise_any_loss_beyond_the_margin_counts() {
 
 #[test]
 fn configurations_are_named_as_they_are_read() {
-    for name in ["path+sobol+roulette", "path+pcg", "bsdf+sobol", "bsdf+pcg+roulette"] {
+    for name in ["path+sobol+roulette", "path+pcg", "bsdf+sobol", "bsdf+pcg+roulette", "path+sobol+exact"] {
         assert_eq!(name.parse::<Configuration>().unwrap().to_string(), name);
     }
     assert_eq!("rr+pcg+path".parse::<Configuration>().unwrap().to_string(), "path+pcg+roulette");

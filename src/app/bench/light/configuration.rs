@@ -1,9 +1,9 @@
-//! What is compared: an integrator, a sampler, and roulette or not, by a name such as `path+sobol+roulette`.
+//! What is compared: an integrator, a sampler, roulette or not, and how textures are filtered, by a name such as `path+sobol+roulette`.
 
 use std::fmt;
 use std::str::FromStr;
 
-use crate::components::{Integrator, Render, Sampler};
+use crate::components::{Integrator, Render, Sampler, TextureFilter};
 use crate::scene::settings::Named;
 
 /// The parts of the settings that change how light is estimated, and not what is estimated.
@@ -12,6 +12,8 @@ pub struct Configuration {
     pub integrator: Integrator,
     pub sampler: Sampler,
     pub roulette: bool,
+    /// None for the scene's own.
+    pub texture_filter: Option<TextureFilter>,
 }
 
 /// What is compared unless `--configs` says otherwise.
@@ -20,20 +22,25 @@ pub const DEFAULT: &str = "path+sobol+roulette,path+sobol,path+pcg,bsdf+pcg";
 impl Configuration {
     /// The settings with these parts exchanged.
     pub fn of(&self, render: &Render) -> Render {
-        Render { integrator: self.integrator, sampler: self.sampler, roulette: self.roulette, ..*render }
+        let texture_filter = self.texture_filter.unwrap_or(render.texture_filter);
+        let Self { integrator, sampler, roulette, .. } = *self;
+        Render { integrator, sampler, roulette, texture_filter, ..*render }
     }
 }
 
 /// The words of a configuration.
 fn known() -> Vec<&'static str> {
     let integrators = Integrator::WORDS.iter().map(|word| word.name);
-    integrators.chain(Sampler::WORDS.iter().map(|word| word.name)).chain(["roulette"]).collect()
+    let samplers = Sampler::WORDS.iter().map(|word| word.name);
+    let filters = TextureFilter::WORDS.iter().map(|word| word.name);
+    integrators.chain(samplers).chain(["roulette"]).chain(filters).collect()
 }
 
 impl fmt::Display for Configuration {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let (integrator, sampler) = (self.integrator.name(), self.sampler.name());
-        write!(f, "{integrator}+{sampler}{}", if self.roulette { "+roulette" } else { "" })
+        write!(f, "{integrator}+{sampler}{}", if self.roulette { "+roulette" } else { "" })?;
+        self.texture_filter.map_or(Ok(()), |filter| write!(f, "+{}", filter.name()))
     }
 }
 
@@ -42,13 +49,15 @@ impl FromStr for Configuration {
 
     /// Words in any order, one integrator and one sampler among them; `rr` is short for `roulette`.
     fn from_str(text: &str) -> Result<Self, String> {
-        let (mut integrator, mut sampler, mut roulette) = (None, None, None);
+        let (mut integrator, mut sampler, mut roulette, mut texture_filter) = (None, None, None, None);
         for word in text.split('+') {
             let word = word.trim();
             let again = if let Some(found) = Integrator::named(word) {
                 integrator.replace(found).is_some()
             } else if let Some(found) = Sampler::named(word) {
                 sampler.replace(found).is_some()
+            } else if let Some(found) = TextureFilter::named(word) {
+                texture_filter.replace(found).is_some()
             } else if matches!(word, "roulette" | "rr") {
                 roulette.replace(true).is_some()
             } else {
@@ -59,7 +68,9 @@ impl FromStr for Configuration {
             }
         }
         match (integrator, sampler) {
-            (Some(integrator), Some(sampler)) => Ok(Self { integrator, sampler, roulette: roulette.is_some() }),
+            (Some(integrator), Some(sampler)) => {
+                Ok(Self { integrator, sampler, roulette: roulette.is_some(), texture_filter })
+            }
             _ => Err("expected an integrator and a sampler, such as path+sobol or bsdf+pcg+roulette".into()),
         }
     }

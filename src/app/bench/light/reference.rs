@@ -12,14 +12,19 @@ use super::record::ReferenceRecord;
 use crate::app::bench::BenchError;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::tracer::{Monitor, Tracer};
-use crate::components::{Film, Integrator, Render, Sampler};
+use crate::components::{Film, Integrator, Render, Sampler, TextureFilter};
 use crate::image::{Output, Picture, PictureFile, file};
 use crate::oracle::{self, Oracle};
 use crate::scene::{self, SceneDescription};
 use crate::stats::metrics::DARK;
 
-/// The estimator that is trusted most: independent samples, no path ended early.
-const TRUSTED: Configuration = Configuration { integrator: Integrator::Path, sampler: Sampler::Pcg, roulette: false };
+/// The estimator that is trusted most: independent samples, no path ended early, textures looked up at points.
+const TRUSTED: Configuration = Configuration {
+    integrator: Integrator::Path,
+    sampler: Sampler::Pcg,
+    roulette: false,
+    texture_filter: Some(TextureFilter::Exact),
+};
 
 /// Of no film that is measured: those have small seeds.
 const SEED: u32 = 0x9e37_79b9;
