@@ -23,7 +23,7 @@ use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
 use crate::systems::resources::{
-    Budget, CompileListener, Device, Frame, Live, SceneGeometry, Shot, Target, Textures, Viewed,
+    Budget, CompileListener, Device, Frame, Live, SceneGeometry, Shot, Sky, SkySource, Target, Textures, Viewed,
 };
 use crate::systems::{self, Entered, Fault, Reload};
 use crate::watch::{Problem, ReloadEvent, Sources, WatchError};
@@ -118,6 +118,15 @@ impl Engine {
     /// What the textures take on the device, as they were last extracted, by name.
     pub fn textures(&self) -> &[TextureUse] {
         &self.world.resource::<Textures>().uses
+    }
+
+    /// The size of the environment's picture, and how often its sides were halved for want of room on the device, where they were.
+    pub fn halved_sky(&self) -> Option<(UVec2, u32)> {
+        let sky = self.world.resource::<Sky>();
+        match &sky.source {
+            Some(SkySource::Map(image, _)) if sky.halvings > 0 => Some((image.size, sky.halvings)),
+            _ => None,
+        }
     }
 
     /// Has the film start anew in the next step.
