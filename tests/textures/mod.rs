@@ -1,5 +1,6 @@
 //! Textures: pictures of every kind that models name, by their texels; how scenes come to them; and what is made of them.
 
+mod alpha;
 mod board;
 mod furnace;
 mod fuzz;
