@@ -12,6 +12,7 @@ mod load;
 mod lookups;
 mod oracle;
 mod refusals;
+pub mod room;
 mod twin;
 
 use std::path::{Path, PathBuf};
