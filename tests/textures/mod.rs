@@ -13,6 +13,7 @@ mod lookups;
 mod oracle;
 mod refusals;
 pub mod room;
+mod seen;
 mod twin;
 
 use std::path::{Path, PathBuf};
