@@ -123,7 +123,7 @@ fn film(folder: &Path, map: &str) -> Vec<[f32; 3]> {
 #[test]
 fn holes_are_those_of_a_png() {
     let folder = tempfile::tempdir().unwrap();
-    let there = |at: usize| at % 3 != 0;
+    let there = |at: usize| !at.is_multiple_of(3);
     let alpha = |at: usize| f32::from(u8::from(there(at)));
     write_coloured(&folder.path().join("a.exr"), "", ("A", &alpha), Blocks::ScanLines, SampleType::F16);
     let codes: Vec<u8> = (0..COUNT).flat_map(|at| [9, 9, 9, if there(at) { 255 } else { 0 }]).collect();
