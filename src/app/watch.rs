@@ -70,7 +70,7 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
     }
     let mut notices = TextureNotices::default();
     while !interrupt.requested() {
-        if !tell_textures(&notices.fresh(engine.textures()), quiet) {
+        if !tell_textures(&notices.fresh(engine.textures(), engine.halved_sky()), quiet) {
             return Ok(Exit::Done);
         }
         if step.finished && step.samples > 0 && !emit(&json!({ "event": "finished", "spp": step.spp })) {

@@ -70,16 +70,21 @@ fn each_is_told_once() {
     };
     let mut notices = TextureNotices::default();
     let (fits, asked) = (used("a", 0, 0), used("b", 2, 0));
-    assert!(notices.fresh(&[]).is_empty() && notices.fresh(&[fits.clone(), asked.clone()]).is_empty());
-    let told = notices.fresh(&[fits.clone(), asked.clone(), used("c", 3, 1)]);
+    assert!(notices.fresh(&[], None).is_empty() && notices.fresh(&[fits.clone(), asked.clone()], None).is_empty());
+    let told = notices.fresh(&[fits.clone(), asked.clone(), used("c", 3, 1)], None);
     let right = "the texture `c` of 4096x1 texels is halved once to 512x1: this adapter has no room for more (`lucerna doctor`)";
     assert_eq!(told, [right]);
-    assert!(notices.fresh(&[used("c", 3, 1), fits]).is_empty());
-    let told = notices.fresh(&[used("c", 4, 2), used("d", 1, 1)]);
+    assert!(notices.fresh(&[used("c", 3, 1), fits], None).is_empty());
+    let told = notices.fresh(&[used("c", 4, 2), used("d", 1, 1)], None);
     assert!(told.len() == 2 && told[0].contains("`c`") && told[0].contains("halved 2 times to 256x1"), "{told:?}");
     // It fits, and then it does not again.
-    assert!(notices.fresh(&[]).is_empty());
-    assert_eq!(notices.fresh(&[used("c", 3, 1)]), [right]);
+    assert!(notices.fresh(&[], None).is_empty());
+    let sky = Some((UVec2::new(9000, 4500), 2));
+    let told = notices.fresh(&[], sky);
+    let right = "the environment's picture of 9000x4500 pixels is halved 2 times to 2250x1125: this adapter has no room for more";
+    assert!(told.len() == 1 && told[0].starts_with(right), "{told:?}");
+    assert!(notices.fresh(&[], sky).is_empty());
+    assert_eq!(notices.fresh(&[used("c", 3, 1)], None), [right]);
 }
 
 #[test]

@@ -136,7 +136,7 @@ fn trace(
         let left = arguments.time.map_or(STEP, |time| Duration::from_secs_f64(time).saturating_sub(meter.elapsed()));
         let step = engine.step(STEP.min(left)).map_err(Failure::engine)?;
         if !std::mem::replace(&mut told, true) {
-            let warnings = TextureNotices::default().fresh(engine.textures());
+            let warnings = TextureNotices::default().fresh(engine.textures(), engine.halved_sky());
             warnings.iter().for_each(|warning| output::note(&format!("warning: {warning}")));
         }
         meter.advance(step.samples, step.spp);

@@ -70,7 +70,7 @@ impl Session {
 
     /// Says what the last step had to do to textures so that they fit.
     pub(super) fn follow_textures(&mut self) {
-        let warnings = self.textures.fresh(self.engine.textures());
+        let warnings = self.textures.fresh(self.engine.textures(), self.engine.halved_sky());
         if !warnings.is_empty() {
             self.report(warnings.iter().map(|warning| format!("warning: {warning}")).collect::<Vec<_>>().join("\n"));
         }
