@@ -8,6 +8,7 @@
 mod apply;
 mod bounds;
 mod check;
+mod define;
 mod describe;
 mod description;
 mod diagnostic;
@@ -33,9 +34,11 @@ mod textures;
 mod triangulate;
 mod turn;
 mod unseen;
+pub mod variants;
 
 pub use apply::{apply, apply_changes};
 pub use check::{Checked, Row, Table, check};
+pub use define::{Define, Written};
 pub use describe::describe;
 pub use description::{MeshEntry, SceneDescription};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
