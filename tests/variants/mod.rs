@@ -1,0 +1,3 @@
+//! Families of scenes: their files, the command that renders them, and its answers.
+
+mod race;
