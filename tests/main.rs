@@ -53,6 +53,7 @@ mod shader_depth;
 mod shader_errors;
 mod shader_fuzz;
 mod sky;
+mod sky_size;
 mod sort;
 mod start;
 mod statistics;

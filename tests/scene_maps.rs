@@ -16,7 +16,10 @@ fn load_scene(materials: &str, defines: &[(&str, &str)]) -> Result<Loaded, Diagn
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("a file");
     ["models/wood.png", "oak.png", "Ash.png"].iter().for_each(|picture| write_picture(&folder.path().join(picture)));
     write("models/m.mtl", MTL);
-    write("models/m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n");
+    write(
+        "models/m.obj",
+        "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 2/1 3/1\n",
+    );
     write("s.ron", &format!("(models: [(path: \"models/m.obj\")], materials: {{\n{materials}\n}})"));
     let defines: Vec<_> = defines.iter().map(|(path, value)| Define::given(*path, *value)).collect();
     load(&folder.path().join("s.ron"), &defines)

@@ -13,6 +13,8 @@ mod navigate;
 mod pace;
 #[cfg(target_os = "linux")]
 mod person;
+#[cfg(target_os = "linux")]
+mod room;
 mod session;
 #[cfg(target_os = "linux")]
 mod xvfb;

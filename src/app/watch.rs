@@ -12,6 +12,7 @@ use crate::app::shared::failure::show;
 use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::output;
 use crate::app::shared::scene::SceneFlags;
+use crate::app::shared::textures::TextureNotices;
 use crate::app::shared::values::EXIT_CODES;
 use crate::app::{Exit, Failure};
 use crate::engine::{Engine, EngineError, Progress};
@@ -67,7 +68,11 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
     if !emit(&started) {
         return Ok(Exit::Done);
     }
+    let mut notices = TextureNotices::default();
     while !interrupt.requested() {
+        if !tell_textures(&notices.fresh(engine.textures(), engine.halved_sky()), quiet) {
+            return Ok(Exit::Done);
+        }
         if step.finished && step.samples > 0 && !emit(&json!({ "event": "finished", "spp": step.spp })) {
             return Ok(Exit::Done);
         }
@@ -109,6 +114,16 @@ pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
 /// An error of the engine that no save can be held to.
 fn failure(problem: Problem) -> ReloadEvent {
     ReloadEvent::Failed { files: Vec::new(), problems: vec![problem], since_save: Duration::ZERO }
+}
+
+/// Tells what was done to textures. False if nobody reads it.
+fn tell_textures(warnings: &[String], quiet: bool) -> bool {
+    if !quiet {
+        warnings.iter().for_each(|warning| output::note(&format!("warning: {warning}")));
+    }
+    let placeless = |message: &String| json!({ "file": null, "line": 0, "column": 0, "message": message });
+    let warnings: Vec<Value> = warnings.iter().map(placeless).collect();
+    warnings.is_empty() || emit(&json!({ "event": "textures", "warnings": warnings }))
 }
 
 /// Writes a line to stdout. False if nobody reads it.

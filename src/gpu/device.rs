@@ -115,6 +115,11 @@ pub fn adapters() -> Vec<AdapterSummary> {
 }
 
 impl Gpu {
+    /// Bytes of the largest array that a kernel can read.
+    pub fn most_bytes(&self) -> u64 {
+        self.limits.max_storage_buffer_binding_size.min(self.limits.max_buffer_size)
+    }
+
     /// Opens the best adapter, or the one `LUCERNA_ADAPTER` names, with its own limits.
     pub fn open() -> Result<Arc<Gpu>, GpuError> {
         let mut adapters = ordered_adapters(&instance());

@@ -96,6 +96,26 @@ impl PictureFile {
         self.read(Crop { min: UVec2::ZERO, max: self.size })
     }
 
+    /// Whether pixels have an alpha that is read.
+    pub fn has_alpha(&self) -> bool {
+        match &self.kind {
+            Kind::Exr(file) => file.has_alpha(),
+            Kind::Hdr(_) | Kind::Png => false,
+        }
+    }
+
+    /// All pixels and their alpha, as it is stored: 1 where there is [none](Self::has_alpha).
+    pub fn read_with_alpha(&self) -> Result<Vec<[f32; 4]>, ReadError> {
+        match &self.kind {
+            Kind::Exr(file) if self.size.min_element() > 0 => {
+                named(&self.path, file.read_with_alpha(&self.path, Crop { min: UVec2::ZERO, max: self.size }))
+            }
+            Kind::Exr(_) | Kind::Hdr(_) | Kind::Png => {
+                Ok(self.read_all()?.into_iter().map(|[r, g, b]| [r, g, b, 1.0]).collect())
+            }
+        }
+    }
+
     /// The pixels of a window of the file, row by row from the top. Memory is for the window, and for what one format or the
     /// other has to be decoded whole.
     pub fn read(&self, window: Crop) -> Result<Vec<Pixel>, ReadError> {

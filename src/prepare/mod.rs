@@ -7,6 +7,7 @@ pub mod light;
 pub mod lighting;
 pub mod material;
 pub mod sky;
+pub mod sky_size;
 pub mod sun;
 pub mod texture;
 pub mod uvs;

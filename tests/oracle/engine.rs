@@ -115,6 +115,7 @@ fn judge(name: &str, mut description: SceneDescription, integrator: Integrator, 
     compare(|i| films[i], |i| rights[i]).unwrap_or_else(|why| panic!("{name}, {integrator:?}, {sampler:?}: {why}"));
     let planted = compare(|i| films[i].map(|v| 0.975 * v), |i| rights[i]);
     assert!(planted.is_err_and(|why| why.contains("differ")), "{name}: a planted error went unnoticed");
+    println!("{name}, {integrator:?}, {sampler:?}: agree");
 }
 
 #[test]
@@ -125,6 +126,10 @@ fn equals_the_engine() {
     judge("teapot under a sky", under_sky, Integrator::Path, Sampler::Sobol, 100);
     judge("a yard under a turned sky", yard(12, turned_sky()), Integrator::Path, Sampler::Sobol, 128);
     judge("a yard by day", yard(12, day()), Integrator::Path, Sampler::Sobol, 128);
+}
+
+#[test]
+fn equals_the_engine_under_turned_skies_and_by_day() {
     if !support::stress() {
         return;
     }
@@ -133,6 +138,13 @@ fn equals_the_engine() {
     let open = |environment| SceneDescription { environment: Some(environment), ..shipped("teapot", 24) };
     judge("teapot under a turned sky", open(turned_sky()), Integrator::Path, Sampler::Sobol, 4096);
     judge("teapot by day", open(day()), Integrator::Path, Sampler::Sobol, 2048);
+}
+
+#[test]
+fn equals_the_engine_by_each_estimator() {
+    if !support::stress() {
+        return;
+    }
     // Each estimator on each kind of scene: on a GPU, and on more than two cores.
     for sampler in [Sampler::Sobol, Sampler::Pcg] {
         judge("teapot", shipped("teapot", 24), Integrator::Path, sampler, 256);

@@ -1,5 +1,6 @@
 //! Textures: pictures of every kind that models name, by their texels; how scenes come to them; and what is made of them.
 
+mod alpha;
 mod board;
 mod furnace;
 mod fuzz;
@@ -12,6 +13,8 @@ mod load;
 mod lookups;
 mod oracle;
 mod refusals;
+pub mod room;
+mod seen;
 mod twin;
 
 use std::path::{Path, PathBuf};

@@ -52,7 +52,8 @@ impl Person {
         Self::in_folder(folder, "scene.ron", &[])
     }
 
-    fn in_folder(folder: TempDir, scene: &str, more: &[&str]) -> Self {
+    /// Opens a scene file of a folder.
+    pub fn in_folder(folder: TempDir, scene: &str, more: &[&str]) -> Self {
         let display = Xvfb::start();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
         command.args(["view", scene, "--size", "192x144", "--spp", SPP]).args(more).current_dir(folder.path());
@@ -119,7 +120,7 @@ impl Person {
     }
 
     /// Presses Esc, and waits for the end. Returns what the process wrote to stderr.
-    fn quit(&mut self) -> String {
+    pub fn quit(&mut self) -> String {
         self.display.key(ESCAPE);
         let status = await_some(self.process.id(), "the end", || self.process.try_wait().unwrap());
         let stderr = std::fs::read_to_string(self.folder.path().join("stderr")).unwrap();

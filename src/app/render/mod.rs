@@ -14,7 +14,7 @@ use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::output;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::scene::Opened;
-use crate::app::shared::textures;
+use crate::app::shared::textures::TextureNotices;
 use crate::app::{Exit, Failure};
 use crate::engine::Engine;
 use crate::gpu::Gpu;
@@ -136,7 +136,8 @@ fn trace(
         let left = arguments.time.map_or(STEP, |time| Duration::from_secs_f64(time).saturating_sub(meter.elapsed()));
         let step = engine.step(STEP.min(left)).map_err(Failure::engine)?;
         if !std::mem::replace(&mut told, true) {
-            textures::warnings(engine).iter().for_each(|warning| output::note(warning));
+            let warnings = TextureNotices::default().fresh(engine.textures(), engine.halved_sky());
+            warnings.iter().for_each(|warning| output::note(&format!("warning: {warning}")));
         }
         meter.advance(step.samples, step.spp);
         if step.samples > 0 {

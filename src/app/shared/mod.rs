@@ -9,6 +9,6 @@ pub(super) mod progress;
 pub(super) mod scene;
 pub(super) mod seconds;
 pub(super) mod settings;
-pub(super) mod textures;
+pub mod textures;
 pub(super) mod tracer;
 pub(super) mod values;

@@ -139,6 +139,7 @@ impl Session {
             self.activity.working = false;
             return Ok(());
         };
+        self.follow_textures();
         let seconds = self.traced() - before;
         self.tracing.learn(progress, begin, seconds);
         self.activity.working = !progress.finished;

@@ -68,6 +68,14 @@ impl Session {
         self.activity.working = true;
     }
 
+    /// Says what the last step had to do to textures so that they fit.
+    pub(super) fn follow_textures(&mut self) {
+        let warnings = self.textures.fresh(self.engine.textures(), self.engine.halved_sky());
+        if !warnings.is_empty() {
+            self.report(warnings.iter().map(|warning| format!("warning: {warning}")).collect::<Vec<_>>().join("\n"));
+        }
+    }
+
     fn report(&mut self, text: String) {
         output::note(&text);
         self.notify(text);

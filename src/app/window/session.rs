@@ -20,6 +20,7 @@ use super::tracing::Tracing;
 use super::viewpoint::Viewpoint;
 use crate::app::shared::failure::show;
 use crate::app::shared::scene::{Opened, SceneFlags};
+use crate::app::shared::textures::TextureNotices;
 use crate::engine::{Engine, EngineError};
 use crate::gpu::{Gpu, GpuError};
 use crate::layout::film::FilmPixel;
@@ -74,6 +75,7 @@ pub struct Session {
     pub(super) tracing: Tracing,
     pub(super) activity: Activity,
     pub(super) failures: Failures,
+    pub(super) textures: TextureNotices,
     /// The film is to be saved once each pixel has a sample.
     pub(super) saving: bool,
     /// When the title was last set.
@@ -114,6 +116,7 @@ impl Session {
             tracing: Tracing::new(most_pixels, now),
             activity: Activity::new(now),
             failures: Failures::default(),
+            textures: TextureNotices::default(),
             saving: false,
             opening,
             titled: None,

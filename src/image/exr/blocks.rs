@@ -35,17 +35,43 @@ struct Samples {
 }
 
 /// Rows of the window that are in one row of blocks.
-struct Band<'a> {
+struct Band<'a, T> {
     /// Of the file's rows of blocks.
     index: u64,
     /// The first row and the first behind the last, in the file.
     rows: [u32; 2],
-    pixels: &'a mut [Pixel],
+    pixels: &'a mut [T],
+}
+
+/// A block, where the wanted samples are in it, and how many bytes all samples of a pixel take.
+struct Decoded<'a> {
+    block: UncompressedBlock,
+    samples: &'a [Samples],
+    bytes: usize,
 }
 
 impl ExrFile {
     /// The pixels of a window of the data window, row by row.
     pub fn read(&self, path: &Path, window: Crop) -> Result<Vec<Pixel>, Fault> {
+        self.read_as(path, window, |block, at| self.colour(block, at))
+    }
+
+    /// The same with alpha, as it is stored: colours are not divided by it. 1 where the file has none.
+    pub fn read_with_alpha(&self, path: &Path, window: Crop) -> Result<Vec<[f32; 4]>, Fault> {
+        let last = self.channels.indices().len();
+        self.read_as(path, window, |block, at| {
+            let [r, g, b] = self.colour(block, at);
+            [r, g, b, if self.alpha.is_some() { block.value(last, at) } else { 1.0 }]
+        })
+    }
+
+    /// What `pixel` makes of column and row of a block, for each pixel of a window.
+    fn read_as<T: Copy + Default + Send>(
+        &self,
+        path: &Path,
+        window: Crop,
+        pixel: impl Fn(&Decoded, [usize; 2]) -> T + Sync,
+    ) -> Result<Vec<T>, Fault> {
         let size = self.header().max_block_pixel_size();
         let block = [size.x() as u64, size.y() as u64];
         let area = block[0].min(self.size.x.into()) * block[1].min(self.size.y.into());
@@ -54,14 +80,14 @@ impl ExrFile {
             let what = format!("a block of its pixels takes {bytes} bytes");
             return Err(Fault::Unsupported { what, help: "write it with fewer channels, or in smaller tiles" });
         }
-        let mut pixels = vec![[0.0; 3]; window.size().x as usize * window.size().y as usize];
+        let mut pixels = vec![T::default(); window.size().x as usize * window.size().y as usize];
         let bands = Mutex::new(bands(&mut pixels, window, block[1]).into_iter());
         let work = || -> Result<(), Fault> {
             let mut file = Tail::open(path)?;
             loop {
                 let next = bands.lock().unwrap_or_else(std::sync::PoisonError::into_inner).next();
                 let Some(band) = next else { return Ok(()) };
-                self.fill(&mut file, band, window, block[0])?;
+                self.fill(&mut file, band, window, block[0], &pixel)?;
             }
         };
         let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get() as u64);
@@ -74,11 +100,19 @@ impl ExrFile {
     }
 
     /// Decodes a row of blocks as far as the window goes.
-    fn fill(&self, file: &mut Tail, band: Band, window: Crop, width: u64) -> Result<(), Fault> {
-        let samples = self.samples();
+    fn fill<T>(
+        &self,
+        file: &mut Tail,
+        band: Band<T>,
+        window: Crop,
+        width: u64,
+        pixel: &impl Fn(&Decoded, [usize; 2]) -> T,
+    ) -> Result<(), Fault> {
+        let (samples, bytes) = (self.samples(), self.header().channels.bytes_per_pixel);
         let columns = u64::from(window.min.x) / width..=u64::from(window.max.x - 1) / width;
         for column in columns {
-            let block = self.block(file, column, band.index)?;
+            let decoded = Decoded { block: self.block(file, column, band.index)?, samples: &samples, bytes };
+            let block = &decoded.block;
             let first = (column * width) as u32;
             let from = window.min.x.max(first);
             let end = window.max.x.min(first.saturating_add(block.index.pixel_size.x() as u32));
@@ -86,7 +120,7 @@ impl ExrFile {
                 let row = (y - band.rows[0]) as usize * window.size().x as usize;
                 for x in from..end {
                     let at = [(x - first) as usize, y as usize - block.index.pixel_position.y()];
-                    band.pixels[row + (x - window.min.x) as usize] = self.pixel(&block, &samples, at);
+                    band.pixels[row + (x - window.min.x) as usize] = pixel(&decoded, at);
                 }
             }
         }
@@ -144,18 +178,17 @@ impl ExrFile {
         Ok(content)
     }
 
-    /// Where the samples of a pixel are, in the order of [`Channels`].
+    /// Where the samples of a pixel are, in the order of [`Channels`]; alpha last, if there is any.
     fn samples(&self) -> Vec<Samples> {
         let list = &self.header().channels.list;
         let bytes = |end: usize| list[..end].iter().map(|channel| channel.sample_type.bytes_per_sample()).sum();
         let samples = |index: &usize| Samples { before: bytes(*index), kind: list[*index].sample_type };
-        self.channels.indices().iter().map(samples).collect()
+        self.channels.indices().iter().chain(&self.alpha).map(samples).collect()
     }
 
     /// The colour at column and row of a block.
-    fn pixel(&self, block: &UncompressedBlock, samples: &[Samples], at: [usize; 2]) -> Pixel {
-        let bytes = self.header().channels.bytes_per_pixel;
-        let value = |channel: usize| sample(block, bytes, samples[channel], at);
+    fn colour(&self, block: &Decoded, at: [usize; 2]) -> Pixel {
+        let value = |channel: usize| block.value(channel, at);
         match self.channels {
             Channels::Colour(_) => [0, 1, 2].map(value),
             Channels::Luminance(_) => [value(0); 3],
@@ -169,8 +202,15 @@ impl ExrFile {
     }
 }
 
+impl Decoded<'_> {
+    /// A sample of a pixel: that of one of the wanted channels.
+    fn value(&self, channel: usize, at: [usize; 2]) -> f32 {
+        sample(&self.block, self.bytes, self.samples[channel], at)
+    }
+}
+
 /// The rows of a window by the rows of blocks, of so many pixels each, that they are in.
-fn bands(pixels: &mut [Pixel], window: Crop, height: u64) -> Vec<Band<'_>> {
+fn bands<T>(pixels: &mut [T], window: Crop, height: u64) -> Vec<Band<'_, T>> {
     let mut rest = pixels;
     let indices = u64::from(window.min.y) / height..=u64::from(window.max.y - 1) / height;
     let band = |index: u64| {

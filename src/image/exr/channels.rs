@@ -18,6 +18,9 @@ const WHOLE: [&str; 12] =
 const COLOURS: [[&str; 3]; 5] =
     [["R", "G", "B"], ["r", "g", "b"], ["red", "green", "blue"], ["Red", "Green", "Blue"], ["RED", "GREEN", "BLUE"]];
 
+/// How programs name alpha.
+const ALPHA: [&str; 5] = ["A", "a", "alpha", "Alpha", "ALPHA"];
+
 /// The channels that make a pixel, as indices of the part's list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Channels {
@@ -43,6 +46,8 @@ pub struct Layer {
     /// Part and layer as a user would name them; empty where neither has a name.
     pub name: String,
     pub channels: Channels,
+    /// The layer's alpha, as an index of the part's list.
+    pub alpha: Option<usize>,
     rank: usize,
 }
 
@@ -83,7 +88,7 @@ fn layers(headers: &[Header], part: usize) -> Vec<Layer> {
         };
         let rank = if matches!(channels, Channels::Colour(_)) { rank } else { rank + 4 };
         let both: Vec<&str> = [own.as_str(), layer].into_iter().filter(|name| !name.is_empty()).collect();
-        Some(Layer { part, name: both.join(", "), channels, rank })
+        Some(Layer { part, name: both.join(", "), channels, alpha: alpha(&names, prefix), rank })
     };
     prefixes.into_iter().filter_map(layer).collect()
 }
@@ -101,6 +106,11 @@ fn prefix(name: &str) -> &str {
 fn is_whole(layer: &str) -> bool {
     let last = layer.rsplit(is_separator).next().unwrap_or(layer);
     WHOLE.contains(&last.to_lowercase().as_str())
+}
+
+fn alpha(names: &[String], prefix: &str) -> Option<usize> {
+    let find = |last: &str| names.iter().position(|name| name.strip_prefix(prefix) == Some(last));
+    ALPHA.into_iter().find_map(find)
 }
 
 fn channels(names: &[String], prefix: &str) -> Option<Channels> {

@@ -41,6 +41,8 @@ pub struct ExrFile {
     meta: MetaData,
     part: usize,
     channels: Channels,
+    /// Of the same layer, as an index of the part's list. Pictures of light have no use for it.
+    alpha: Option<usize>,
     /// Bytes before the part's table of offsets.
     table: u64,
     /// Bytes before the first pixel of any part.
@@ -71,6 +73,7 @@ impl ExrFile {
             warnings: Vec::new(),
             part: layer.part,
             channels: layer.channels,
+            alpha: layer.alpha,
             table: after(&meta.headers[..layer.part]),
             start: after(&meta.headers),
             length,
@@ -78,6 +81,11 @@ impl ExrFile {
         };
         file.warnings = file.warnings(&layer, &others);
         Ok(file)
+    }
+
+    /// Whether it has an alpha of its own.
+    pub fn has_alpha(&self) -> bool {
+        self.alpha.is_some()
     }
 
     fn header(&self) -> &Header {

@@ -1,17 +1,9 @@
 //! Texels that are numbers, not codes.
 
-use glam::UVec2;
-
-use crate::components::{Texels, TextureImage};
-use crate::image::Pixel;
+use super::read_texture::Alpha;
 
 /// The largest value of a texel: that of a half.
 const MOST: f32 = 65504.0;
-
-/// A picture of these pixels, opaque.
-pub fn image(size: UVec2, pixels: Vec<Pixel>) -> TextureImage {
-    TextureImage { size, texels: Texels::Float(pixels.into_iter().map(|[r, g, b]| [r, g, b, 1.0]).collect()) }
-}
 
 /// Makes every value finite and at least 0. Says how many texels had one that was not.
 pub fn mend(texels: &mut [[f32; 4]]) -> u64 {
@@ -22,4 +14,13 @@ pub fn mend(texels: &mut [[f32; 4]]) -> u64 {
         *texel = good;
     }
     mended
+}
+
+/// What alpha says in a picture that has one. Zeros alone are what programs write that have none: they are made opaque.
+pub fn judge_alpha(texels: &mut [[f32; 4]]) -> Alpha {
+    if texels.iter().all(|[.., alpha]| *alpha == 0.0) {
+        texels.iter_mut().for_each(|[.., alpha]| *alpha = 1.0);
+        return Alpha::None;
+    }
+    if texels.iter().all(|[.., alpha]| *alpha >= 1.0) { Alpha::Opaque } else { Alpha::Partial }
 }

@@ -108,8 +108,10 @@ impl TextureFile {
         let warnings = Vec::new();
         let mut read = match kind {
             Kind::Float(picture) => {
-                let pixels = picture.read_all().map_err(|error| error.fault)?;
-                ReadTexture { image: float::image(size, pixels), alpha: Alpha::None, mended: 0, warnings, colours }
+                let mut texels = picture.read_with_alpha().map_err(|error| error.fault)?;
+                let alpha = if picture.has_alpha() { float::judge_alpha(&mut texels) } else { Alpha::None };
+                let image = TextureImage { size, texels: Texels::Float(texels) };
+                ReadTexture { image, alpha, mended: 0, warnings, colours }
             }
             Kind::Codes(format, colour) => {
                 let texels = codes(&path, format, size, colour)?;

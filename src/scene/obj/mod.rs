@@ -81,6 +81,7 @@ fn assemble(
     let mut model = Model { meshes: Vec::with_capacity(parts.len()), bounds, ..Model::default() };
     let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
     let mut unknown = BTreeSet::new();
+    let mut unplaced = BTreeSet::new();
     for (number, geometry) in parts {
         let group = &groups[number];
         let name = group.material.as_ref().map(|(name, _)| name.as_str());
@@ -93,6 +94,16 @@ fn assemble(
             let help = known_names(name, libraries.materials.keys().map(String::as_str));
             let message = format!("no library has a material `{name}`: it is rendered grey");
             diagnostics.push(Diagnostic { message, ..place.clone() }.help(help));
+        }
+        if let (Some((name, place)), Some(material)) = (&group.material, found)
+            && !group.uvs
+            && material.maps.uses().next().is_some()
+            && unplaced.insert(name)
+        {
+            let message = format!(
+                "material `{name}` has maps, but faces here have no texture coordinates (`vt`): its pictures show one texel there, the lower left"
+            );
+            diagnostics.push(Diagnostic { message, ..place.clone() }.help("export the model with texture coordinates"));
         }
         let key = name.unwrap_or(DEFAULT_MATERIAL);
         model.materials.entry(key.to_owned()).or_insert_with(|| found.cloned().unwrap_or_default());

@@ -4,12 +4,13 @@ use bevy_ecs::prelude::*;
 use glam::Vec3;
 
 use super::step::Step;
-use crate::components::{Daylight, Environment, EnvironmentItem, Name, rendered_environment};
+use crate::components::{Daylight, Environment, EnvironmentItem, EnvironmentMap, Name, rendered_environment};
 use crate::gpu::GpuTable;
 use crate::layout::alias::AliasColumn;
 use crate::layout::sky::SkyTable;
 use crate::prepare::daylight;
-use crate::systems::resources::{Everything, Sky, SkyCell, SkySource};
+use crate::prepare::sky_size::{halve_sky, halvings_of_sky};
+use crate::systems::resources::{Device, Everything, Sky, SkyCell, SkySource};
 use crate::systems::run::counted;
 
 type Touched = (With<Environment>, Or<(Changed<Environment>, Changed<Name>)>);
@@ -36,6 +37,7 @@ fn extract_sky(
     mut sky: ResMut<Sky>,
     mut cells: ResMut<GpuTable<SkyCell>>,
     mut columns: ResMut<GpuTable<AliasColumn>>,
+    device: Res<Device>,
 ) {
     let source = match rendered_environment(environments) {
         Some(Environment::Map { image, strength, tint, .. }) => SkySource::Map(image.clone(), *strength * *tint),
@@ -52,11 +54,22 @@ fn extract_sky(
     if sky.source.as_ref().is_some_and(|held| held.same(&source)) {
         return;
     }
-    let table = match &source {
-        SkySource::Map(image, factor) => SkyTable::new(image.size, &image.pixels, *factor),
-        SkySource::Daylight(day) => SkyTable::new(daylight::SIZE, &daylight::sky_pixels(day), Vec3::ONE),
+    let (table, halvings) = match &source {
+        SkySource::Map(image, factor) => fitting(image, *factor, device.0.gpu().most_bytes()),
+        SkySource::Daylight(day) => (SkyTable::new(daylight::SIZE, &daylight::sky_pixels(day), Vec3::ONE), 0),
     };
     cells.set(table.cells.into_iter().map(SkyCell).collect());
     columns.set(table.columns);
-    *sky = Sky { source: Some(source), size: table.size, power: table.power, brightest: table.brightest };
+    *sky = Sky { source: Some(source), size: table.size, halvings, power: table.power, brightest: table.brightest };
+}
+
+/// The tables of a picture that are to take at most so many bytes each, and how often it was halved for that.
+fn fitting(image: &EnvironmentMap, factor: Vec3, room: u64) -> (SkyTable, u32) {
+    match halvings_of_sky(image.size, room) {
+        0 => (SkyTable::new(image.size, &image.pixels, factor), 0),
+        halvings => {
+            let (size, pixels) = halve_sky(image.size, &image.pixels, halvings);
+            (SkyTable::new(size, &pixels, factor), halvings)
+        }
+    }
 }

@@ -75,6 +75,7 @@ fn extract_textures(
 ) {
     let materials: BTreeSet<Entity> = uses.iter().map(|uses| uses.0).collect();
     let used: BTreeSet<Entity> = materials.iter().filter_map(|e| maps.get(*e).ok()).flat_map(Maps::all).collect();
+    let emit: BTreeSet<Entity> = maps.iter().filter_map(|maps| maps.emission).collect();
     let mut plans = Vec::new();
     for (entity, name, texture, held) in &pictures {
         if used.contains(&entity) {
@@ -86,8 +87,7 @@ fn extract_textures(
         }
     }
     plans.sort_by_key(|plan| (plan.name, plan.entity));
-    let limits = &device.0.gpu().limits;
-    let room = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size).min(u64::from(u32::MAX)) / 4;
+    let room = device.0.gpu().most_bytes().min(u64::from(u32::MAX)) / 4;
     make_fit(&mut plans, room);
     let places = place(&plans, room);
     let end = places.iter().zip(&plans).map(|(first, plan)| first + plan.words).max().unwrap_or(0);
@@ -99,20 +99,20 @@ fn extract_textures(
     for ((plan, first), index) in plans.iter().zip(places).zip(0..) {
         let total: u32 = plan.halvings.iter().sum();
         let held = plan.held.filter(|slot| plan.is_held() && u64::from(slot.record.first) == first);
+        // To find it is to read every texel.
+        let known = plan.held.filter(|_| plan.is_held()).and_then(|slot| slot.brightest);
+        let brightest = emit.contains(&plan.entity).then(|| known.unwrap_or_else(|| brightest(plan.texture)));
         let slot = match held {
-            Some(slot) => TextureSlot { index, ..slot.clone() },
+            Some(slot) => TextureSlot { index, brightest, ..slot.clone() },
             None => {
                 let (record, packed) = pack(plan.texture, total);
                 let record = TextureRecord { first: first as u32, ..record };
-                let words = packed.len() as u32;
                 texels.write(first as usize, packed.into_iter().map(Texel));
-                let brightest =
-                    plan.held.filter(|_| plan.is_held()).map_or_else(|| brightest(plan.texture), |s| s.brightest);
-                TextureSlot { index, record, words, halvings: total, source: plan.texture.clone(), brightest }
+                TextureSlot { index, record, halvings: total, source: plan.texture.clone(), brightest }
             }
         };
         all.push(slot.record);
-        found.brightest.push(slot.brightest);
+        found.brightest.push(slot.brightest.unwrap_or(0.0));
         found.uses.push(TextureUse {
             name: plan.name.to_owned(),
             size: plan.texture.image.size,
@@ -120,7 +120,7 @@ fn extract_textures(
             for_room: plan.halvings[1],
             bytes: 4 * plan.words,
         });
-        if held.is_none_or(|old| old.index != index) {
+        if held.is_none_or(|old| old.index != index || old.brightest != brightest) {
             commands.entity(plan.entity).insert(slot);
         }
     }

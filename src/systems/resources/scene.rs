@@ -154,6 +154,8 @@ pub struct Sky {
     pub source: Option<SkySource>,
     /// Pixels; zero without a picture.
     pub size: UVec2,
+    /// How often the picture's sides were halved for want of room on the device.
+    pub halvings: u32,
     /// Integral of the luminance over the sphere.
     pub power: f64,
     /// The largest channel of any pixel.

@@ -13,20 +13,18 @@ pub struct TextureSlot {
     pub index: u32,
     /// With its first word.
     pub record: TextureRecord,
-    /// Words of it.
-    pub words: u32,
     /// Levels, from the first, that are left out.
     pub halvings: u32,
     /// What the words were made from.
     pub source: Texture,
-    /// The largest channel of any texel.
-    pub brightest: f32,
+    /// The largest channel of any texel; none where it is no map of emission.
+    pub brightest: Option<f32>,
 }
 
 /// What all textures come to.
 #[derive(Resource, Default, Clone, Debug, PartialEq)]
 pub struct Textures {
-    /// Of each record, the largest channel of any texel.
+    /// Of each record, the largest channel of any texel; 0 where it is no map of emission.
     pub brightest: Vec<f32>,
     pub uses: Vec<TextureUse>,
 }

@@ -3,9 +3,13 @@
 use glam::Vec3;
 
 use super::{Draft, Habits};
+use crate::components::Lobe;
 use crate::scene::diagnostic::{Diagnostic, Tally};
 use crate::scene::keys::Key;
 use crate::scene::mtl::material::MtlMaterial;
+
+/// A reflectance of the specular lobe that hides much of the diffuse lobe's texture.
+const VEIL: f32 = 0.25;
 
 impl Draft {
     /// Warns of what can't be rendered as written; `material` is what it came to.
@@ -23,6 +27,7 @@ impl Draft {
         self.warn_of_dissolve(habits, tally);
         self.warn_of_unrendered(glass, tally);
         self.warn_of_maps(material, tally);
+        self.warn_of_veil(material, tally);
     }
 
     fn warn_of_emission(&self, tally: &mut Tally) {
@@ -105,6 +110,27 @@ impl Draft {
         }
         if let (Some(place), true) = (self.place("bump"), maps.norm.is_some()) {
             self.warn(tally, place, "relief given twice", "has both `norm` and `bump`: only `norm` counts");
+        }
+    }
+
+    /// Warns where a surface sends much light back past its texture, which a program that draws highlights alone never shows.
+    fn warn_of_veil(&self, material: &MtlMaterial, tally: &mut Tally) {
+        let maps = &material.maps;
+        let meant = maps.ks.is_some() || material.lobe() == Lobe::Mirror || material.is_glass();
+        let least = material.ks.min_element();
+        if let (Some(place), true) = (self.place("ks"), maps.kd.is_some() && !meant && least >= VEIL) {
+            let wide = if self.place("ns").is_some() && material.ns < 1.0 && material.pr.is_none() {
+                format!(", and so widely by `Ns {}` that it is noisy", material.ns)
+            } else {
+                String::new()
+            };
+            let message = format!(
+                "material `{}` has a `Ks` of {least} beside `map_Kd`: it reflects that part of all light, not of lamps alone, as a veil over \
+                 the texture{wide}; programs write such numbers for highlights (told once for this library)",
+                self.name
+            );
+            let help = "a plain surface reflects about 0.04: lower `Ks` here, or `ks` in the scene file's `materials`";
+            tally.once("veils", || Diagnostic { message, ..place.clone() }.help(help));
         }
     }
 
