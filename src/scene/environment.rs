@@ -13,7 +13,7 @@ pub enum EnvironmentEntry {
     Constant(Vec3),
     Daylight(Daylight),
     Map {
-        /// As written: relative to the scene file's folder.
+        /// As written: relative to the folder of the file that has it.
         path: String,
         strength: f32,
         tint: Vec3,
