@@ -1,35 +1,10 @@
 //! Numbers that stand for all that a picture depends on.
 
-use std::fmt::{self, Write};
-
+use crate::app::shared::key::hash;
 use crate::components::{Integrator, Render, Sampler};
 use crate::passes::trace::PATH;
 use crate::scene::SceneDescription;
 use crate::shader::{Library, ShaderError};
-
-/// Fowler, Noll and Vo's hash FNV-1a, 64 bits: the same on every machine and by every compiler.
-struct Fnv(u64);
-
-impl Fnv {
-    fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-}
-
-impl Write for Fnv {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        for byte in text.bytes() {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-        Ok(())
-    }
-}
-
-fn hash(of: impl fmt::Debug) -> u64 {
-    let mut fnv = Fnv::new();
-    write!(fnv, "{of:?}").expect("invariant: a hash takes any text");
-    fnv.0
-}
 
 /// Of the picture that every unbiased estimate of a scene tends to: all of the description but its name, the exposure,
 /// and how light is estimated.
