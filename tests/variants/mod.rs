@@ -1,5 +1,6 @@
 //! Families of scenes: their files, the command that renders them, and its answers.
 
+mod compete;
 mod goals;
 mod race;
 mod resume;

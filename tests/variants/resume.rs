@@ -13,7 +13,7 @@ const FAMILY: &str = r#"(
     extends: "a.ron",
     overrides: {"film.size": (96, 64)},
     sweep: {"materials.grey.ns": [5, 50, 500, 5000], "camera": ["front", "left"]},
-    reference: (member: "5-front", spp: 512),
+    reference: (member: "5_front", spp: 512),
     goal: (spp: [64, 256]),
 )
 "#;
@@ -78,7 +78,7 @@ fn a_run_that_is_killed_goes_on_and_ends_as_an_undisturbed_one() {
     assert!(again.status.success() && said.contains("nothing had to be rendered"), "{said}");
 
     // A picture that was touched, and a file that was edited, are made anew; what does not depend on them is not.
-    std::fs::write(members.join("50-left.png"), b"").unwrap();
+    std::fs::write(members.join("50_left.png"), b"").unwrap();
     let touched = answer(folder.path(), &["--out", "cut"], 0);
     assert_eq!(lasting(&touched), lasting(&whole));
     std::fs::write(folder.path().join("a.mtl"), super::MTL.replace("0.6", "0.3")).unwrap();
@@ -107,6 +107,8 @@ fn a_member_that_breaks_is_marked_and_the_others_are_done() {
 
     // What is wrong with all of them is told once, and nothing is rendered.
     std::fs::write(folder.path().join("a.obj"), "f 1 2 3\n").unwrap();
+    let family = r#"(extends: "a.ron", sweep: {"materials.grey.ns": [5, 50]})"#;
+    std::fs::write(folder.path().join("fam.ron"), family).unwrap();
     let run = run(folder.path(), &["--out", "other"]);
     let said = String::from_utf8(run.stderr).unwrap();
     assert!(run.status.code() == Some(1) && said.matches("error:").count() == 1, "{said}");

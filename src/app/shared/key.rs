@@ -2,6 +2,9 @@
 
 use std::fmt::{self, Write};
 
+use crate::components::{Integrator, Render, Sampler};
+use crate::scene::SceneDescription;
+
 /// Fowler, Noll and Vo's hash FNV-1a, 64 bits: the same on every machine and by every compiler.
 struct Fnv(u64);
 
@@ -25,4 +28,16 @@ pub fn hash(of: impl fmt::Debug) -> u64 {
     let mut fnv = Fnv::new();
     write!(fnv, "{of:?}").expect("invariant: a hash takes any text");
     fnv.0
+}
+
+/// Of the picture that every unbiased estimate of a scene tends to: all of the description but its name, the exposure,
+/// and how light is estimated.
+pub fn scene_key(description: &SceneDescription) -> String {
+    let mut plain = description.clone();
+    plain.name.clear();
+    plain.film.exposure = 0.0;
+    let (integrator, sampler) = (Integrator::Path, Sampler::Pcg);
+    plain.render = Render { integrator, sampler, roulette: false, seed: 0, spp: 1, ..plain.render };
+    // Numbers are written so that they read back to the same bits.
+    format!("{:016x}", hash(plain))
 }

@@ -110,7 +110,8 @@ fn write(answer: &Answer, folder: &Path) -> Result<(), SaveError> {
 fn first(found: &Found) -> Record {
     match found {
         Ok(subject) => blank(subject),
-        Err(Broken { member, error }) => {
+        Err(broken) => {
+            let Broken { member, error } = &**broken;
             let state = State::Failed {
                 message: error.message.clone(),
                 file: Some(error.file.display().to_string()),

@@ -21,7 +21,8 @@ pub struct Codes {
 impl Codes {
     /// `folder` is for those that have none of their own.
     pub fn new(folder: Option<&Path>) -> Self {
-        let folder = folder.or_else(|| Library::local_folder()).map(Path::to_path_buf);
+        let folder =
+            folder.map_or_else(|| Library::local_folder().map(Path::to_path_buf), |folder| Some(folder.to_path_buf()));
         Self { folder, folders: BTreeMap::new(), numbers: BTreeMap::new(), libraries: Vec::new() }
     }
 

@@ -6,6 +6,7 @@
 //! | `jobs`, `stage`, `trace` | renders them on one engine an adapter, which exchanges what differs |
 //! | `shelf` | keeps what is done, and finds it again |
 //! | `board`, `against`, `record` | what is known of all members, also against the reference |
+//! | `race` | lets them compete instead |
 //! | `list` | says what would be done |
 
 mod against;
@@ -17,6 +18,7 @@ mod find;
 mod jobs;
 mod keys;
 mod list;
+mod race;
 pub mod record;
 mod shelf;
 mod stage;
@@ -35,7 +37,7 @@ use crate::gpu::adapters;
 use crate::scene::variants::{self, Family, Goal};
 use crate::scene::{Assets, Diagnostic};
 use board::Answers;
-use jobs::Plan;
+use jobs::{Board, Plan};
 use record::State;
 use shelf::Shelf;
 use survey::{Survey, order, survey};
@@ -60,6 +62,9 @@ pub fn run(arguments: &VariantsArguments) -> Result<Exit, Failure> {
     }
     let shelf = Shelf::open(&folder).map_err(Failure::of)?;
     let answers = Answers::new(&family, &survey.found, folder);
+    if arguments.race {
+        return compete(&family, &survey, &shelf, &answers, arguments, interrupt);
+    }
     let order = wanted(&family, &survey, &shelf, &answers, arguments);
     render(&family, &survey, order, &shelf, &answers, arguments, interrupt)
 }
@@ -118,6 +123,46 @@ fn render(
         answer.records.iter().any(|r| matches!(r.state, State::Failed { .. }) && arguments.wants(&r.name))
     });
     Ok(match (failed || !answers.is_whole(), interrupted) {
+        (_, true) => Exit::Interrupted,
+        (true, false) => Exit::Failed,
+        (false, false) => Exit::Done,
+    })
+}
+
+/// Lets members compete. The reference is one of another run, if there is one.
+fn compete(
+    family: &Family,
+    survey: &Survey,
+    shelf: &Shelf,
+    answers: &Answers,
+    arguments: &VariantsArguments,
+    interrupt: Interrupt,
+) -> Result<Exit, Failure> {
+    let mut order = order(&survey.found);
+    let wants = |index: &usize| survey.found[*index].as_ref().is_ok_and(|found| arguments.wants(&found.member.name));
+    order.retain(wants);
+    let extent = Extent { samples: Some(u64::from(arguments.rounds)), seconds: arguments.time.last().copied() };
+    let watcher = Watcher::new(&family.name, extent, true, interrupt, arguments.quiet);
+    let raced = race::run(survey, &order, arguments, &watcher);
+    watcher.finish();
+    let raced = raced?;
+    watcher.interrupt.hold();
+    for (index, record, film) in raced.records(family) {
+        if let (Some((film, metadata)), Ok(subject)) = (film, &survey.found[index])
+            && let Err(error) = shelf.keep(subject, &record, &film, &metadata)
+        {
+            answers.unwritten(error);
+        }
+        answers.set(index, record);
+    }
+    answers.with(|answer, _| answer.interrupted = raced.interrupted);
+    answers.write();
+    if !arguments.json {
+        output::print(&race::text(&raced))?;
+    }
+    tell(answers, shelf, order.len(), arguments)?;
+    let failed = answers.with(|answer, _| answer.records.iter().any(|r| matches!(r.state, State::Failed { .. })));
+    Ok(match (failed || !answers.is_whole(), raced.interrupted) {
         (_, true) => Exit::Interrupted,
         (true, false) => Exit::Failed,
         (false, false) => Exit::Done,

@@ -35,7 +35,7 @@ pub struct Subject {
 }
 
 /// What came of a member.
-pub type Found = Result<Subject, Broken>;
+pub type Found = Result<Subject, Box<Broken>>;
 
 /// A member that can't be rendered.
 #[derive(Clone, Debug)]
@@ -65,8 +65,8 @@ pub fn survey(family: &Family, assets: &Assets, arguments: &VariantsArguments) -
         codes: Codes::new(arguments.shaders.as_deref()),
         digests: BTreeMap::new(),
         warnings: Vec::new(),
-        // Of the variant file itself.
-        reads: assets.reads().values().sum(),
+        // Of the variant files themselves.
+        reads: family.files.len() as u32,
     };
     let mut found: Vec<Found> = family.members.iter().map(|member| reader.member(member)).collect();
     let errors: Vec<&Diagnostic> = found.iter().filter_map(|found| found.as_ref().err()).map(|b| &b.error).collect();
@@ -100,7 +100,7 @@ struct Reader<'s> {
 
 impl Reader<'_> {
     fn member(&mut self, member: &Member) -> Found {
-        let broken = |error: Diagnostic| Broken { member: member.clone(), error };
+        let broken = |error: Diagnostic| Box::new(Broken { member: member.clone(), error });
         let code = self
             .codes
             .number(member)
