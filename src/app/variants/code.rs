@@ -36,9 +36,7 @@ impl Codes {
         let read = || folder.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open);
         let library = self.folders.entry(folder.clone()).or_insert_with(read);
         let library = library.clone().map_err(|error| error.to_string())?;
-        if let Some(name) = member.values.keys().next() {
-            return Err(format!("shader.{name}: no shader has a value that can be set"));
-        }
+        let library = library.with_values(&member.values).map_err(|error| error.to_string())?;
         // Another folder of the same files is the same code.
         let known = self.libraries.iter().position(|known| known.is_same(&library));
         let number = known.unwrap_or(self.libraries.len());

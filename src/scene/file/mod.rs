@@ -138,7 +138,8 @@ fn read_map<T>(
 /// `(path: "..", name: "..", transform: (..))`
 fn read_model(reader: &Reader, node: &Node, path: &str) -> Option<ModelEntry> {
     let fields = Fields::open(reader, node, path)?;
-    let place = node.text.error(fields.get("path").map_or(node.source, |path| path.source), "");
+    let named = fields.get("path").unwrap_or(node);
+    let place = named.text.error(named.source, "");
     let file = fields.require("path", |node| match node.string()? {
         path if path.is_empty() => Err("expected the path of an .obj file, found an empty string".into()),
         path => Ok(path),

@@ -1,6 +1,6 @@
 //! The sweep of a variant file: axes, and what each changes.
 
-use super::values::{SweptValue, refuse_equal, values_of};
+use super::values::{SweptValue, inner, refuse_equal, values_of};
 use crate::scene::diagnostic::{Diagnostic, Severity};
 use crate::scene::ron::{Kind, Node, Reader};
 
@@ -49,14 +49,18 @@ fn read_axis(sweep: &Node, (name, place, node): &(String, &str, Node)) -> Result
         return Ok(Swept { name: name.clone(), labels, columns: vec![column], place });
     };
     let error = |node: &Node, message: String| about(node.text.error(node.source, message));
-    let fields = content.fields().map_err(|message| error(content, format!("zip: {message}")))?;
+    let content = inner(content);
+    let fields = content.fields().map_err(|message| {
+        error(content, format!("zip: {message}")).help("write zip({ \"path\": [a, b], \"path\": [c, d] })")
+    })?;
     let column = |(path, place, node): &(String, &str, Node)| {
         let place = content.text.at(Severity::Warning, place, "");
         Ok(Column { path: path.clone(), place, values: values_of(node).map_err(about)? })
     };
     let columns = fields.iter().map(column).collect::<Result<Vec<_>, Diagnostic>>()?;
     let Some(first) = columns.first() else {
-        return Err(error(content, "zip: there is nothing to go through".into()));
+        return Err(error(content, "zip: there is nothing to go through".into())
+            .help("write zip({ \"path\": [a, b], \"path\": [c, d] })"));
     };
     if let Some(other) = columns.iter().find(|column| column.values.len() != first.values.len()) {
         let (one, two) = (first.values.len(), other.values.len());

@@ -29,7 +29,9 @@ pub fn values_of(node: &Node) -> Result<Vec<SweptValue>, Diagnostic> {
         Kind::Variant("range", Some(content)) => steps(node, content, false)?,
         Kind::Variant("log", Some(content)) => steps(node, content, true)?,
         Kind::Variant("named", Some(content)) => {
-            let fields = content.fields().map_err(|message| error(content, format!("named: {message}")))?;
+            let fields = inner(content).fields().map_err(|message| {
+                error(content, format!("named: {message}")).help("write named({\"name\": value, ..})")
+            })?;
             let named = |(name, _, value): &(String, &str, Node)| SweptValue { label: label_of(name), ..one(value) };
             fields.iter().map(named).collect()
         }
@@ -57,13 +59,16 @@ fn steps(node: &Node, content: &Node, by_factor: bool) -> Result<Vec<SweptValue>
     let word = if by_factor { "log" } else { "range" };
     let about = |node: &Node, message: String| node.text.error(node.source, format!("{word}: {message}"));
     let parts = content.items().ok().filter(|items| items.len() == 3);
+    let help = format!("write {word}(from, to, count), such as {word}(0.1, 0.9, 5)");
     let parts = parts.ok_or_else(|| {
-        let help = format!("write {word}(from, to, count), such as {word}(0.1, 0.9, 5)");
-        about(node, format!("expected three numbers, found {}", content.describe())).help(help)
+        about(node, format!("expected three numbers, found {}", content.describe())).help(help.clone())
     })?;
-    let number = |node: &Node| node.number(-FARTHEST, FARTHEST).map_err(|message| about(node, message));
+    let number =
+        |node: &Node| node.number(-FARTHEST, FARTHEST).map_err(|message| about(node, message).help(help.clone()));
     let (from, to) = (number(&parts[0])?, number(&parts[1])?);
-    let count = parts[2].integer(1, MOST).map_err(|message| about(&parts[2], format!("how many: {message}")))?;
+    let count = parts[2]
+        .integer(1, MOST)
+        .map_err(|message| about(&parts[2], format!("how many: {message}")).help(help.clone()))?;
     if by_factor && (from <= 0.0 || to <= 0.0) {
         let wrong = if from <= 0.0 { &parts[0] } else { &parts[1] };
         return Err(about(wrong, "both ends must be above 0".into()).help("range(from, to, count) goes through 0 too"));
@@ -94,6 +99,14 @@ pub fn refuse_equal(values: &[SweptValue]) -> Result<(), Diagnostic> {
         }
     }
     Ok(())
+}
+
+/// What stands in the parentheses of `name(..)`, where that is one value.
+pub fn inner<'n, 'a>(content: &'n Node<'a>) -> &'n Node<'a> {
+    match &content.kind {
+        Kind::Items(items) if items.len() == 1 => &items[0],
+        _ => content,
+    }
 }
 
 /// Where a value is written: a warning without its message.
