@@ -1,10 +1,12 @@
 //! What several commands share.
 
 pub mod compiling;
+pub(super) mod csv;
 pub(super) mod failure;
 pub(super) mod interrupt;
 pub(super) mod output;
 pub(super) mod pictures;
+pub(super) mod plot;
 pub(super) mod progress;
 pub(super) mod scene;
 pub(super) mod seconds;
