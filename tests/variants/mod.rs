@@ -1,12 +1,20 @@
-//! Families of scenes: their files, how members share what they have in common, what is told of them, and the command that renders them.
+//! Families of scenes: their files, how members share what they have in common, what is told of them, the command that renders
+//! them, and its answers.
 
+#[cfg(unix)]
+mod browser;
 mod command;
 mod compete;
 mod files;
 mod goals;
+mod hand;
+#[cfg(unix)]
+mod page;
 mod race;
 mod resume;
 mod share;
+mod sheet;
+mod table;
 mod wrong;
 
 use std::path::{Path, PathBuf};

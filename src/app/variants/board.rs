@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
+use super::answers;
 use super::blank::{blank, missing};
 use super::jobs::Board;
 use super::record::{Answer, AxisRecord, Record, State};
@@ -19,6 +20,9 @@ const VERSION: u32 = 1;
 /// Between two times that all files are written, at least.
 const PAUSE: Duration = Duration::from_secs(5);
 
+/// Writing may cost one part in so many of the time.
+const SHARE: u32 = 20;
+
 /// The answer as it grows.
 pub struct Answers {
     state: Mutex<Growing>,
@@ -32,6 +36,8 @@ struct Growing {
     /// Of the reference's own film.
     reference: Option<Record>,
     written: Instant,
+    /// Until they are written again.
+    pause: Duration,
 }
 
 impl Answers {
@@ -47,7 +53,7 @@ impl Answers {
             reference: family.reference.as_ref().map(|reference| reference.member.clone()),
             interrupted: false,
         };
-        let state = Growing { answer, reference: None, written: Instant::now() };
+        let state = Growing { answer, reference: None, written: Instant::now(), pause: PAUSE };
         Self { state: Mutex::new(state), folder, unwritten: AtomicBool::new(false) }
     }
 
@@ -69,10 +75,12 @@ impl Answers {
     /// Writes all files.
     pub fn write(&self) {
         let mut state = self.lock();
-        state.written = Instant::now();
+        let begin = Instant::now();
         if let Err(error) = write(&state.answer, &self.folder) {
             self.unwritten(error);
         }
+        state.written = Instant::now();
+        state.pause = PAUSE.max(SHARE * begin.elapsed());
     }
 
     /// Whether all that was to be written was.
@@ -88,7 +96,11 @@ impl Answers {
 impl Board for Answers {
     fn put(&self, index: usize, record: Record) {
         self.set(index, record);
-        if self.lock().written.elapsed() >= PAUSE {
+        let due = {
+            let state = self.lock();
+            state.written.elapsed() >= state.pause
+        };
+        if due {
             self.write();
         }
     }
@@ -103,7 +115,8 @@ fn write(answer: &Answer, folder: &Path) -> Result<(), SaveError> {
     let path = folder.join("answer.json");
     let text = serde_json::to_string_pretty(answer)
         .map_err(|error| SaveError::Write { path: path.clone(), source: error.into() })?;
-    file::write_text(&path, &(text + "\n"))
+    file::write_text(&path, &(text + "\n"))?;
+    answers::write(answer, folder).map(|_| ())
 }
 
 /// Of a member that nothing was done about yet.

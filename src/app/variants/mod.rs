@@ -6,10 +6,12 @@
 //! | `jobs`, `stage`, `trace` | renders them on one engine an adapter, which exchanges what differs |
 //! | `shelf` | keeps what is done, and finds it again |
 //! | `board`, `against`, `record` | what is known of all members, also against the reference |
+//! | `answers` | tables, sheet and page |
 //! | `race` | lets them compete instead |
 //! | `list` | says what would be done |
 
 mod against;
+pub mod answers;
 mod arguments;
 mod blank;
 mod board;
