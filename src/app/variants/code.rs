@@ -1,4 +1,4 @@
-//! The shaders of members: each folder is read once.
+//! The shaders of members: each folder is read once. A member's own is laid over that of the others, and need hold only what differs.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -28,14 +28,15 @@ impl Codes {
 
     /// The number of a member's shaders, or what is wrong with them.
     pub fn number(&mut self, member: &Member) -> Result<usize, String> {
-        let folder = member.shaders.clone().or_else(|| self.folder.clone());
-        let wanted = (folder.clone(), member.values.clone());
+        let wanted = (member.shaders.clone(), member.values.clone());
         if let Some(number) = self.numbers.get(&wanted) {
             return Ok(*number);
         }
-        let read = || folder.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open);
-        let library = self.folders.entry(folder.clone()).or_insert_with(read);
-        let library = library.clone().map_err(|error| error.to_string())?;
+        let base = self.read(None)?;
+        let library = match &member.shaders {
+            Some(folder) => self.read(Some(folder))?.laid_over(&base),
+            None => base,
+        };
         let library = library.with_values(&member.values).map_err(|error| error.to_string())?;
         // Another folder of the same files is the same code.
         let known = self.libraries.iter().position(|known| known.is_same(&library));
@@ -45,6 +46,22 @@ impl Codes {
         }
         self.numbers.insert(wanted, number);
         Ok(number)
+    }
+
+    /// A folder as it is; without one, what members have that have none of their own.
+    fn read(&mut self, folder: Option<&PathBuf>) -> Result<Library, String> {
+        let open = || match folder.or(self.folder.as_ref()) {
+            Some(folder) => Library::open(folder),
+            None => Ok(Library::embedded()),
+        };
+        let library = self.folders.entry(folder.cloned()).or_insert_with(open);
+        library.clone().map_err(|error| error.to_string())
+    }
+
+    /// Limits the loops of all libraries, as those of edited ones are: where their speed is compared, none is to have less to do.
+    pub fn limit(&mut self) {
+        let limited = self.libraries.drain(..).map(Library::with_limited_loops);
+        self.libraries = limited.collect();
     }
 
     /// The library of a number.

@@ -199,9 +199,9 @@ fn member(
     Ok(Some((record, traced.film, described.metadata())))
 }
 
-/// The command that renders a member alone. `render` sets no values of shaders.
-fn repeat(family: &Family, subject: &Subject, described: &Described) -> String {
-    match subject.member.values.is_empty() {
+/// The command that renders a member alone. `render` lays no folder over another, and sets no values of shaders.
+pub fn repeat(family: &Family, subject: &Subject, described: &Described) -> String {
+    match subject.member.values.is_empty() && subject.member.shaders.is_none() {
         true => described.repeat(),
         false => {
             let [file, name] = [&family.path.display().to_string(), &subject.member.name].map(|word| quoted(word));

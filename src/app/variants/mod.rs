@@ -52,7 +52,7 @@ pub fn run(arguments: &VariantsArguments) -> Result<Exit, Failure> {
     let assets = Assets::new();
     let family = variants::plan(&path, &arguments.define, &assets)?;
     arguments.check(&family)?;
-    let survey = survey(&family, &assets, arguments)?;
+    let mut survey = survey(&family, &assets, arguments)?;
     // From here on, scenes alone hold what they need.
     drop(assets);
     if !arguments.quiet {
@@ -65,6 +65,9 @@ pub fn run(arguments: &VariantsArguments) -> Result<Exit, Failure> {
     let shelf = Shelf::open(&folder).map_err(Failure::of)?;
     let answers = Answers::new(&family, &survey.found, folder);
     if arguments.race {
+        if survey.codes.len() > 1 {
+            survey.codes.limit();
+        }
         return compete(&family, &survey, &shelf, &answers, arguments, interrupt);
     }
     let order = wanted(&family, &survey, &shelf, &answers, arguments);

@@ -5,6 +5,7 @@ use super::racer::Racer;
 use crate::app::shared::describe::Described;
 use crate::app::shared::key::hash;
 use crate::app::variants::blank::blank;
+use crate::app::variants::jobs::repeat;
 use crate::app::variants::record::{Record, Snapshot, State};
 use crate::engine::FilmImage;
 use crate::image::srgb::srgb_byte;
@@ -49,7 +50,7 @@ impl Raced<'_> {
                 mean: film.mean,
                 bad_samples: racer.bad_samples,
                 adapter: self.adapter.clone(),
-                repeat: described.repeat(),
+                repeat: repeat(family, racer.subject, &described),
                 ..record
             };
             (racer.index, record, Some((film, described.metadata())))
