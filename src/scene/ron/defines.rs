@@ -24,7 +24,7 @@ pub fn apply_defines<'a>(
 ) -> Result<(), Diagnostic> {
     for ((path, _), text) in defines.iter().zip(texts) {
         let (path, value) = text.text.split_at(path.len());
-        let value = parse_slice(text, &value[1..]).map_err(|error| about(path, error))?;
+        let value = parse_slice(text, &value[1..]).map_err(|error| about(path, unquoted(&value[1..], error)))?;
         let segments = segments(text, path)?;
         set(root, &Define { text, path: &segments, plain }, 0, value).map_err(|error| about(path, error))?;
     }
@@ -34,6 +34,18 @@ pub fn apply_defines<'a>(
 /// Says which define an error is about.
 fn about(path: &str, error: Diagnostic) -> Diagnostic {
     Diagnostic { message: format!("in the define `{path}`: {}", error.message), ..error }
+}
+
+/// Adds how a text is written, where a value may be one without its quotes, which a shell takes away.
+fn unquoted(value: &str, error: Diagnostic) -> Diagnostic {
+    let is_text = value.contains(char::is_alphabetic)
+        && value.chars().all(|letter| letter.is_alphanumeric() || " ._-/\\:".contains(letter));
+    match is_text {
+        true => {
+            error.help(format!("a text stands in double quotes; for a shell, with single ones around: '\"{value}\"'"))
+        }
+        false => error,
+    }
 }
 
 /// The parts of a path, at its dots; a part in double quotes may hold dots itself.

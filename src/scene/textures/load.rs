@@ -71,8 +71,8 @@ pub fn load<'m>(
     for (map, used) in maps.values() {
         let real = paths.entry(&map.file).or_insert_with(|| {
             result.files.push(map.file.clone());
-            // That a file is missing was told where it is named.
-            let real = map.file.canonicalize().ok()?;
+            // That a file is missing, or is none, was told where it is named.
+            let real = map.file.canonicalize().ok().filter(|real| real.is_file())?;
             if !sources.contains_key(&real) {
                 match open(&map.file, &real) {
                     Ok(source) => drop(sources.insert(real.clone(), source)),
@@ -192,8 +192,10 @@ fn texture(map: &TextureMap, reading: Reading, picture: &Picture) -> Texture {
     Texture { image: picture.image.clone(), reading, wrap, scale, offset, gain, base }
 }
 
+/// What is told of a file: "`a.png` is grey", or "`a.png`: its end is missing".
 fn warning(place: Diagnostic, path: &Path, text: &str) -> Diagnostic {
-    Diagnostic { severity: Severity::Warning, message: format!("`{}` {text}", path.display()), ..place }
+    let colon = if text.starts_with("its ") || text.starts_with("it ") { ":" } else { "" };
+    Diagnostic { severity: Severity::Warning, message: format!("`{}`{colon} {text}", path.display()), ..place }
 }
 
 /// Why there is no texture, and what to do.
