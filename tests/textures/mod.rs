@@ -9,6 +9,7 @@ mod leaves;
 mod limits;
 mod load;
 mod lookups;
+mod moved;
 mod oracle;
 mod refusals;
 mod twin;
