@@ -10,7 +10,8 @@ use bevy_ecs::prelude::*;
 use glam::{DAffine3, DMat3, DVec3, UVec2, Vec3};
 use lucerna::Engine;
 use lucerna::components::{
-    Camera, Daylight, Energy, Environment, EnvironmentMap, Film, Geometry, Material, Name, Render, Transform,
+    Camera, Daylight, Energy, Environment, EnvironmentMap, Film, Geometry, Integrator, Maps, Material, MeshData, Name,
+    Reading, Render, Texels, Texture, TextureImage, Transform,
 };
 use lucerna::scene;
 use lucerna::shader::Library;
@@ -21,7 +22,8 @@ type Counts = BTreeMap<&'static str, u64>;
 
 fn open() -> Engine {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes/cornell-box.ron");
-    let defines = [("film.size", "(16,16)"), ("render.spp", "2")].map(|(k, v)| (k.to_owned(), v.to_owned()));
+    let defines =
+        [("film.size", "(16,16)"), ("render.spp", "2")].map(|(path, value)| scene::Define::given(path, value));
     let description = scene::load(&path, &defines).unwrap_or_else(|e| panic!("{e:?}")).description;
     let mut engine = Engine::open(support::gpu(), Library::shipped(), &description).unwrap();
     finish(&mut engine);
@@ -200,4 +202,72 @@ fn what_is_written_with_what_it_was_makes_nothing_anew() {
         assert!(entered.iter().all(|system| system.starts_with("extract_")), "{name}: {entered:?}");
         assert!(uploads.is_empty(), "{name}: {uploads:?}");
     }
+}
+
+#[test]
+fn a_relief_that_comes_and_goes_keeps_the_tree() {
+    let mut engine = open();
+    engine.edit(|world| {
+        world.query::<&mut Geometry>().iter_mut(world).for_each(|mut geometry| {
+            let plain = MeshData { normals: Vec::new(), normal_triangles: Vec::new(), ..(*geometry.0).clone() };
+            geometry.0 = Arc::new(plain);
+        });
+    });
+    finish(&mut engine);
+    let relief = |world: &mut World, on: bool| {
+        let picture = TextureImage { size: UVec2::ONE, texels: Texels::Rgba8(vec![[160, 128, 240, 255]]) };
+        let texture = Texture::new(Arc::new(picture), Reading::Normal { flip_green: false });
+        let texture = world.spawn((Name::new("bumps"), texture)).id();
+        let materials: Vec<Entity> = world.query_filtered::<Entity, With<Material>>().iter(world).collect();
+        let maps = Maps { relief: on.then_some(texture), ..Maps::default() };
+        materials.into_iter().for_each(|entity| _ = world.entity_mut(entity).insert(maps));
+    };
+    for on in [true, false, true] {
+        let (entered, sent) = after(&mut engine, |world| relief(world, on));
+        assert!(engine.features().contains("relief") == on && entered.contains(&"begin_film"));
+        assert!(!entered.contains(&"build_tree") && !sent.contains_key("triangles"), "{entered:?}, {sent:?}");
+        assert!(sent.contains_key("shading") == on);
+    }
+}
+
+#[test]
+fn code_that_is_run_once_more_is_not_compiled_again() {
+    let mut engine = open();
+    let plain = engine.film().unwrap();
+    let path = std::fs::read_to_string("shaders/passes/trace/path.wgsl").unwrap();
+    let brighter = path.replace("(*state).radiance += light;", "(*state).radiance += 2.0 * light;");
+    assert!(path != brighter);
+    let library = Library::shipped().with("passes/trace/path", &brighter);
+    let before = engine.compiled();
+    let other = engine.remake(library).unwrap();
+    assert_eq!(since(&engine.compiled(), &before), Counts::from([("path", 1)]));
+
+    let shipped = engine.run(other);
+    let (entered, _) = after(&mut engine, |_| ());
+    assert!(entered.contains(&"begin_film") && !entered.contains(&"build_tree"), "{entered:?}");
+    let doubled = engine.film().unwrap();
+    assert!((doubled.mean[0] / plain.mean[0] - 2.0).abs() < 1e-4);
+
+    // Features by turns, in both: what was compiled stays.
+    let bsdf = |engine: &mut Engine, on: bool| {
+        let integrator = if on { Integrator::Bsdf } else { Integrator::Path };
+        after(engine, |world| change(world, |render: &mut Render| render.integrator = integrator));
+    };
+    bsdf(&mut engine, true);
+    let other = engine.run(shipped);
+    finish(&mut engine);
+    bsdf(&mut engine, false);
+    assert_eq!(engine.film().unwrap().pixels, plain.pixels);
+    let before = engine.compiled();
+    let mut aside = Some(other);
+    for _ in 0..3 {
+        for on in [true, false] {
+            bsdf(&mut engine, on);
+        }
+        aside = aside.map(|code| engine.run(code));
+        finish(&mut engine);
+    }
+    assert_eq!(engine.compiled(), before);
+    assert_eq!(engine.film().unwrap().rgb, doubled.rgb);
+    assert!(engine.film_seconds() > 0.0 && engine.film_seconds() < engine.spent().trace);
 }

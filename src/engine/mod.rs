@@ -18,7 +18,7 @@ pub use inspect::{Inspected, LookedUp, Seen};
 pub use report::Report;
 
 use crate::components::{self, Camera, Film, Render};
-use crate::gpu::{Drawn, Fit, Gpu, Paint, Runtime, Shown, Surface};
+use crate::gpu::{Code, Drawn, Fit, Gpu, Paint, Runtime, Shown, Surface};
 use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription};
 use crate::shader::Library;
@@ -59,6 +59,32 @@ impl Engine {
         world.insert_resource(Budget(Duration::from_millis(100)));
         scene::apply(&mut world, description);
         Ok(Engine { world, schedule: systems::schedule() })
+    }
+
+    /// Makes the scene another one, touching only what differs; the next step finds out what that changed.
+    pub fn apply(&mut self, description: &SceneDescription) {
+        self.edit(|world| scene::apply(world, description));
+    }
+
+    /// The passes in use as another library has them, to be [`run`](Self::run). Compiles what is other code, and disturbs nothing.
+    pub fn remake(&self, library: Library) -> Result<Code, EngineError> {
+        Ok(self.world.resource::<Device>().0.compiler().remake(library, &BTreeSet::new(), &|_| {})?)
+    }
+
+    /// Runs other code from now on; what runs the same code keeps tree and film. Returns the code that was run until now, with all
+    /// that was compiled of it, so that nothing is compiled again where it is run once more.
+    pub fn run(&mut self, code: Code) -> Code {
+        systems::run_code(&mut self.world, code)
+    }
+
+    /// How many pipelines of each pass were compiled since the engine opened.
+    pub fn compiled(&self) -> BTreeMap<&'static str, u64> {
+        self.world.resource::<Device>().0.compiler().compiled()
+    }
+
+    /// Seconds that were spent on tracing the film that there is.
+    pub fn film_seconds(&self) -> f64 {
+        self.spent().film
     }
 
     /// Changes the scene; the next step finds out what that changed.

@@ -63,6 +63,8 @@ pub struct Compiler {
     gpu: Arc<Gpu>,
     serial: Arc<AtomicU32>,
     in_use: Arc<Mutex<BTreeMap<&'static str, Use>>>,
+    /// How many pipelines of each pass were compiled.
+    compiled: Arc<Mutex<BTreeMap<&'static str, u64>>>,
 }
 
 impl Compiler {
@@ -117,6 +119,7 @@ impl Compiler {
         features: &Features,
     ) -> Result<(Pipeline, Vec<Place>), GpuError> {
         let serial = self.serial.fetch_add(1, Ordering::Relaxed);
+        *self.compiled.lock().unwrap_or_else(PoisonError::into_inner).entry(pass.name).or_default() += 1;
         let fingerprint = linked.fingerprint();
         let (edited, limited) = (linked.edited, linked.limited);
         let loops = match limited {
@@ -134,22 +137,34 @@ impl Compiler {
     }
 }
 
-/// Pipelines by pass and by those features that its import closure names.
+/// Passes as they were compiled, by name and all features of the scenes that asked for them. Where two scenes' features differ in what a
+/// pass's import closure does not name, both share its pipeline.
+type Kept = HashMap<(&'static str, Features), Use>;
+
+/// The pipelines of a library.
 pub struct Pipelines {
     library: Library,
     compiler: Compiler,
-    kept: HashMap<(&'static str, Features), Arc<Pipeline>>,
+    kept: Kept,
 }
 
-/// The code that passes run: what a reload puts in the place of what was there.
+/// The code that passes run, with all that was compiled of it: what is put in the place of what was there, and can be put back.
 pub struct Code {
     pub(super) library: Library,
-    pub(super) uses: Vec<Use>,
+    uses: BTreeMap<&'static str, Use>,
+    kept: Kept,
+}
+
+impl Code {
+    fn new(library: Library, uses: Vec<Use>) -> Self {
+        let kept = uses.iter().map(|used| ((used.pass.name, used.features.clone()), used.clone())).collect();
+        Self { library, uses: uses.into_iter().map(|used| (used.pass.name, used)).collect(), kept }
+    }
 }
 
 impl Pipelines {
     pub fn new(gpu: Arc<Gpu>, library: Library) -> Self {
-        let compiler = Compiler { gpu, serial: Arc::default(), in_use: Arc::default() };
+        let compiler = Compiler { gpu, serial: Arc::default(), in_use: Arc::default(), compiled: Arc::default() };
         Self { library, compiler, kept: HashMap::new() }
     }
 
@@ -173,21 +188,30 @@ impl Pipelines {
     /// Compiles all that is missing of `passes`, at the same time.
     pub fn prepare(&mut self, passes: &[&'static Pass], features: &Features) -> Result<(), GpuError> {
         let mut missing: Vec<(&'static Pass, Features)> = Vec::new();
-        for pass in passes {
-            if self.known(pass, features).is_none() && missing.iter().all(|(m, _)| m.name != pass.name) {
+        for pass in passes.iter().filter(|pass| self.known(pass, features).is_none()) {
+            if let Some(used) = self.kept.get(&(pass.name, features.clone())) {
+                self.compiler.in_use().insert(pass.name, used.clone());
+            } else if missing.iter().all(|(m, _)| m.name != pass.name) {
                 missing.push((pass, features.clone()));
             }
         }
         let kept = &self.kept;
-        let known = |pass: &Pass, key: &Features, _: &Linked| kept.get(&(pass.name, key.clone())).cloned();
+        let known = |pass: &Pass, key: &Features, _: &Linked| {
+            let alike = |used: &&Use| used.pass.name == pass.name && used.key == *key;
+            kept.values().find(alike).map(|used| used.pipeline.clone())
+        };
         let made = self.compiler.make(&self.library, &missing, known, &|_| {})?;
-        self.keep(made);
+        let mut in_use = self.compiler.in_use();
+        for used in made {
+            self.kept.insert((used.pass.name, used.features.clone()), used.clone());
+            in_use.insert(used.pass.name, used);
+        }
         Ok(())
     }
 
-    /// Whether any of `passes` has to be compiled before it can run.
+    /// Whether any of `passes` has to be linked, and perhaps compiled, before it can run.
     pub fn lacks(&self, passes: &[&'static Pass], features: &Features) -> bool {
-        passes.iter().any(|pass| self.known(pass, features).is_none())
+        passes.iter().any(|pass| !self.kept.contains_key(&(pass.name, features.clone())))
     }
 
     /// Whether all of `passes` are in use with the code that this binary was built with.
@@ -208,8 +232,7 @@ impl Pipelines {
 
     /// Puts other code in place. Returns what was there, which can be put back, and the passes that run other code now.
     pub fn replace(&mut self, code: Code) -> (Code, Vec<&'static Pass>) {
-        self.kept = code.uses.iter().map(|used| ((used.pass.name, used.key.clone()), used.pipeline.clone())).collect();
-        let fresh: BTreeMap<&'static str, Use> = code.uses.into_iter().map(|used| (used.pass.name, used)).collect();
+        let Code { library, uses: fresh, kept } = code;
         // At once, for whoever compiles meanwhile looks at what is in use.
         let old = std::mem::replace(&mut *self.compiler.in_use(), fresh.clone());
         let same = |name: &str, used: &Use| old.get(name).is_some_and(|o| Arc::ptr_eq(&o.pipeline, &used.pipeline));
@@ -217,21 +240,14 @@ impl Pipelines {
         // What came into use while the code was compiled is compiled again when it is asked for.
         let gone = old.iter().filter(|(name, _)| !fresh.contains_key(*name)).map(|(_, used)| used.pass);
         let changed = new.chain(gone).collect();
-        let library = std::mem::replace(&mut self.library, code.library);
-        (Code { library, uses: old.into_values().collect() }, changed)
+        let library = std::mem::replace(&mut self.library, library);
+        let kept = std::mem::replace(&mut self.kept, kept);
+        (Code { library, uses: old, kept }, changed)
     }
 
     fn known(&self, pass: &Pass, features: &Features) -> Option<Arc<Pipeline>> {
         let in_use = self.compiler.in_use();
         in_use.get(pass.name).filter(|used| used.features == *features).map(|used| used.pipeline.clone())
-    }
-
-    fn keep(&mut self, uses: Vec<Use>) {
-        let mut in_use = self.compiler.in_use();
-        for used in uses {
-            self.kept.insert((used.pass.name, used.key.clone()), used.pipeline.clone());
-            in_use.insert(used.pass.name, used);
-        }
     }
 }
 
@@ -259,7 +275,12 @@ impl Compiler {
                 checked_entry(pass, &library.link(pass.module, &all)?, &all)?;
             }
         }
-        Ok(Code { library, uses })
+        Ok(Code::new(library, uses))
+    }
+
+    /// How many pipelines of each pass were compiled since the runtime was made.
+    pub fn compiled(&self) -> BTreeMap<&'static str, u64> {
+        self.compiled.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
 

@@ -6,6 +6,7 @@
 //! Whatever a file can't be taken at its word for is an error or a warning at its line and column, never a silent default.
 
 mod apply;
+mod assets;
 mod bounds;
 mod check;
 mod define;
@@ -25,6 +26,7 @@ mod mapped;
 mod model;
 mod mtl;
 mod obj;
+mod read;
 mod ron;
 pub mod settings;
 mod sky;
@@ -37,6 +39,7 @@ mod unseen;
 pub mod variants;
 
 pub use apply::{apply, apply_changes};
+pub use assets::Assets;
 pub use check::{Checked, Row, Table, check};
 pub use define::{Define, Written};
 pub use describe::describe;
@@ -44,7 +47,7 @@ pub use description::{MeshEntry, SceneDescription};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use find::{find, names};
 pub use keys::{Colour, KEYS, Key, Range, Value};
-pub use load::{Loaded, attempt, load, load_with};
+pub use load::{Loaded, attempt, attempt_in, load, load_with};
 pub use mtl::{Appearance, MtlMaterial, TextureMap, TextureMaps};
 pub use textures::{Loading, MapUse, name as texture_name};
 pub use triangulate::triangulate;

@@ -6,6 +6,7 @@
 
 mod accumulate;
 mod build;
+mod code;
 mod error;
 mod extract;
 mod phase;
@@ -20,6 +21,7 @@ mod upload;
 
 use bevy_ecs::prelude::*;
 
+pub use code::run_code;
 pub use error::{EngineError, Fault};
 pub use reload::{Reload, go_back};
 pub use restart::{restart_film, start_again};

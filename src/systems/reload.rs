@@ -6,6 +6,7 @@ use std::time::Instant;
 use bevy_ecs::prelude::*;
 use bevy_ecs::system::SystemParam;
 
+use super::code::{restart_for_code, restarts_of};
 use super::error::{EngineError, no_fault};
 use super::phase::Phase;
 use super::resources::{Batch, Device, Exposure, FilmProgress, Governor, MaterialSlot, Target, Tree};
@@ -13,7 +14,6 @@ use super::restart::start_again;
 use crate::components::{Film, Name};
 use crate::gpu::{Code, Compiler, GpuError, GpuTable};
 use crate::layout::trace::MaterialRecord;
-use crate::passes::Makes;
 use crate::scene::{self, Loaded, SceneDescription};
 use crate::shader::ErrorKind;
 use crate::watch::{Linter, News, Outcome, Problem, ReloadEvent, Restarts, Sources, Wake, Watch, WatchError};
@@ -185,23 +185,10 @@ fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
 fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
     let (old, changed) = world.resource_mut::<Device>().0.replace(code);
     reload.linter.forget();
-    for pass in changed {
-        for made in pass.makes {
-            match made {
-                Makes::Tree => reload.code_restarts.tree = true,
-                Makes::Film => reload.code_restarts.film = true,
-                Makes::Picture => reload.code_restarts.picture = true,
-            }
-        }
-    }
+    reload.code_restarts = reload.code_restarts.with(restarts_of(&changed));
     if reload.trial.code.is_some() && !reload.trial.passed {
         // What is gone back to is still the last that worked, and the film has samples of both since.
-        let (trial, code) = (&mut reload.trial.restarts, reload.code_restarts);
-        *trial = Restarts {
-            tree: trial.tree || code.tree,
-            film: trial.film || code.film,
-            picture: trial.picture || code.picture,
-        };
+        reload.trial.restarts = reload.trial.restarts.with(reload.code_restarts);
         return;
     }
     reload.trial.code = Some(old);
@@ -243,19 +230,7 @@ fn tell_what_restarts(mut reload: ResMut<Reload>, mut made: Made) {
         reload.trial.film = None;
     }
     let code = std::mem::take(&mut reload.code_restarts);
-    if code.tree || code.film {
-        made.governor.forget();
-    }
-    if code.tree {
-        made.tree.built = false;
-        made.progress.outdate_views();
-    }
-    if code.film {
-        made.progress.restart();
-    }
-    if code.picture {
-        made.progress.shown = None;
-    }
+    restart_for_code(code, &mut made.tree, &mut made.progress, &mut made.governor);
     let restarts = Restarts {
         tree: !made.tree.built,
         film: !made.progress.begun,

@@ -67,6 +67,7 @@ fn submit_frame(
         let seconds = start.elapsed().as_secs_f64();
         let samples = planned.batch.samples(planned.shot.size().x);
         learnt.spent.trace += seconds;
+        learnt.spent.film += seconds;
         learnt.spent.samples += samples;
         learnt.governor.learn(samples, seconds);
     }

@@ -4,7 +4,7 @@ use bevy_ecs::prelude::*;
 
 use super::error::EngineError;
 use super::phase::Phase;
-use super::resources::{Device, FilmProgress, MeanEmission, Shot, SkyCell, Texel};
+use super::resources::{Device, FilmProgress, MeanEmission, Shot, SkyCell, Spent, Texel};
 use super::run::counted;
 use crate::components::Film;
 use crate::gpu::{GpuTable, TableRow};
@@ -87,6 +87,7 @@ fn begin_film(
     mut device: ResMut<Device>,
     mut progress: Single<&mut FilmProgress, With<Film>>,
     shot: Res<Shot>,
+    mut spent: ResMut<Spent>,
 ) -> Result<(), EngineError> {
     let size = shot.size();
     for (name, bytes) in film::buffers(u64::from(size.x) * u64::from(size.y)) {
@@ -96,5 +97,6 @@ fn begin_film(
     let features: Vec<&str> = shot.features.iter().map(String::as_str).chain(of_device).collect();
     device.0.set_features(&features);
     progress.begun = true;
+    spent.film = 0.0;
     Ok(())
 }

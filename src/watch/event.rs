@@ -46,6 +46,17 @@ pub struct Restarts {
     pub picture: bool,
 }
 
+impl Restarts {
+    /// What either makes start anew.
+    pub fn with(self, other: Restarts) -> Restarts {
+        Restarts {
+            tree: self.tree || other.tree,
+            film: self.film || other.film,
+            picture: self.picture || other.picture,
+        }
+    }
+}
+
 impl fmt::Display for Restarts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = [(self.tree, "tree"), (self.film, "film"), (self.picture && !self.film, "picture")];

@@ -1,10 +1,20 @@
 //! Families of scenes: a file says what of a scene is exchanged, and each choice is a member.
 
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+mod file;
+mod label;
+mod member;
+mod sweep;
+mod target;
+mod values;
 
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::assets::Assets;
 use super::define::Define;
-use super::diagnostic::Diagnostic;
+use super::diagnostic::{Diagnostic, Diagnostics};
+
+pub use file::is_family;
 
 /// The most members of a family.
 pub const MOST_MEMBERS: usize = 4096;
@@ -22,6 +32,8 @@ pub struct Family {
     pub members: Vec<Member>,
     pub reference: Option<Chosen>,
     pub goal: Option<Goal>,
+    /// What is not taken as written.
+    pub warnings: Vec<Diagnostic>,
     /// All variant files that were read for it: of the chain of `extends`.
     pub files: Vec<PathBuf>,
 }
@@ -69,4 +81,12 @@ pub enum Goal {
     Seconds(Vec<f64>),
     /// When its relMSE is estimated to be at most this.
     Error(f64),
+}
+
+/// Reads a variant file into its members. `defines` change what its scene is before members do. No scene is read, and no value but those of
+/// the file itself looked at: a path that leads nowhere is told when a member is loaded.
+pub fn plan(path: &Path, defines: &[Define], assets: &Assets) -> Result<Family, Diagnostics> {
+    let mut files = Vec::new();
+    let family = file::read_family(path, assets, &mut files)?;
+    member::enumerate(path, family, defines, files)
 }

@@ -74,25 +74,31 @@ fn extract_meshes(
         high,
         normals: relief.0 || slots.iter().any(|slot| !slot.geometry.normal_triangles.is_empty()),
     };
-    let kept = (&now.meshes, now.origin, now.normals) == (&world.meshes, world.origin, world.normals);
+    let placed = (&now.meshes, now.origin) == (&world.meshes, world.origin);
+    let kept = placed && now.normals == world.normals;
     let count = slots.last().map_or(0, |slot| slot.first + slot.count) as usize;
-    let stale: Vec<usize> =
-        (0..slots.len()).filter(|i| !kept || !sorted[*i].5.is_some_and(|held| held.same(&slots[*i]))).collect();
+    let held = |i: &usize| placed && sorted[*i].5.is_some_and(|held| held.same(&slots[*i]));
+    let stale: Vec<usize> = (0..slots.len()).filter(|i| !held(i)).collect();
     if stale.is_empty() && kept && count == triangles.len() {
         return Ok(());
     }
-    triangles.resize(count);
+    if count != triangles.len() {
+        triangles.resize(count);
+    }
+    for slot in stale.iter().map(|i| &slots[*i]) {
+        triangles.write(slot.first as usize, slot.triangles(now.origin));
+    }
     let with_normals = if now.normals { count } else { 0 };
     if shading.len() != with_normals {
         shading.resize(with_normals);
     }
+    // Where normals come, all of them: the tree stays, which knows nothing of them.
+    let bent: Vec<usize> = if kept { stale.clone() } else { (0..slots.len()).collect() };
+    for slot in bent.iter().filter(|_| now.normals).map(|i| &slots[*i]) {
+        shading.write(slot.first as usize, slot.shading());
+    }
     for i in stale {
-        let slot = &slots[i];
-        triangles.write(slot.first as usize, slot.triangles(now.origin));
-        if now.normals {
-            shading.write(slot.first as usize, slot.shading());
-        }
-        commands.entity(sorted[i].0).insert(slot.clone());
+        commands.entity(sorted[i].0).insert(slots[i].clone());
     }
     *world = now;
     Ok(())

@@ -63,6 +63,8 @@ pub struct Budget(pub Duration);
 pub struct Spent {
     pub build: f64,
     pub trace: f64,
+    /// Of `trace`, what the film took that there is.
+    pub film: f64,
     /// Samples over all pixels, in all batches since the engine opened.
     pub samples: u64,
 }
