@@ -10,6 +10,7 @@ mod doctor;
 pub mod judge;
 mod render;
 pub mod shared;
+pub mod variants;
 mod watch;
 pub mod window;
 

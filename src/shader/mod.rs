@@ -25,6 +25,7 @@ mod source_map;
 mod stack;
 mod token;
 mod types;
+mod values;
 
 use std::collections::BTreeSet;
 

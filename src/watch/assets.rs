@@ -1,26 +1,31 @@
 //! The scene file and all it names: which files are other ones than at the last look.
 
 use std::collections::BTreeMap;
-use std::collections::hash_map::DefaultHasher;
-use std::hash::Hasher;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::event::problems_of;
 use super::message::Look;
-use crate::files::{self, Stamp};
-use crate::scene::{self, Loaded, SceneDescription};
+use crate::files::{self, Digest, Stamp};
+use crate::scene::{self, Define, Diagnostics, Loaded, SceneDescription};
 
 /// What the command line says over a scene file.
 pub type Adjust = Box<dyn Fn(&mut SceneDescription) + Send>;
 
-/// A scene file, and how it is read.
+/// What reads a scene, and every file that it read or looked for.
+pub type Read = Box<dyn FnMut() -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) + Send>;
+
+/// A scene, and how it is read.
 pub struct WatchedScene {
-    pub path: PathBuf,
-    /// As for [`scene::load`].
-    pub defines: Vec<(String, String)>,
+    pub read: Read,
     /// Done to every description that is loaded.
     pub adjust: Adjust,
+}
+
+impl WatchedScene {
+    /// That of a file, with defines.
+    pub fn file(path: PathBuf, defines: Vec<Define>, adjust: Adjust) -> Self {
+        Self { read: Box::new(move || scene::attempt(&path, &defines)), adjust }
+    }
 }
 
 /// The files of a scene as they were last seen.
@@ -33,8 +38,7 @@ pub struct SceneFiles {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Seen {
     stamp: Option<Stamp>,
-    length: u64,
-    hash: u64,
+    digest: Digest,
 }
 
 impl SceneFiles {
@@ -55,16 +59,16 @@ impl SceneFiles {
         let now: Vec<(PathBuf, Seen)> =
             self.seen.iter().map(|(path, old)| (path.clone(), Seen::of(path, Some(old)))).collect();
         let changed: Vec<&(PathBuf, Seen)> =
-            now.iter().filter(|(path, seen)| self.seen[path].hash != seen.hash).collect();
+            now.iter().filter(|(path, seen)| self.seen[path].digest.hash != seen.digest.hash).collect();
         if changed.is_empty() && !force {
             self.seen.extend(now);
             return Look::Same;
         }
-        if patient && changed.iter().any(|(_, seen)| seen.length == 0) {
+        if patient && changed.iter().any(|(_, seen)| seen.digest.length == 0) {
             return Look::Unfinished;
         }
         let files = changed.into_iter().map(|(path, _)| path.clone()).collect();
-        let (mut result, read) = scene::attempt(&self.scene.path, &self.scene.defines);
+        let (mut result, read) = (self.scene.read)();
         // What a broken scene names is not all known: then the old files stay under watch.
         if let Ok(loaded) = &mut result {
             (self.scene.adjust)(&mut loaded.description);
@@ -94,27 +98,9 @@ impl Seen {
         {
             return old.clone();
         }
-        match contents(path) {
-            Ok((length, hash)) => Seen { stamp: Some(stamp), length, hash },
+        match Digest::of(path) {
+            Ok(digest) => Seen { stamp: Some(stamp), digest },
             Err(_) => Seen::default(),
-        }
-    }
-}
-
-/// Bytes of a file, and their hash.
-fn contents(path: &Path) -> std::io::Result<(u64, u64)> {
-    let mut file = files::open_regular(path)?;
-    let (mut hasher, mut length) = (DefaultHasher::new(), 0);
-    let mut part = vec![0; 1 << 18];
-    loop {
-        match file.read(&mut part) {
-            Ok(0) => return Ok((length, hasher.finish())),
-            Ok(read) => {
-                hasher.write(&part[..read]);
-                length += read as u64;
-            }
-            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
-            Err(error) => return Err(error),
         }
     }
 }

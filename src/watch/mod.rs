@@ -20,7 +20,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 
-pub use assets::{Adjust, WatchedScene};
+pub use assets::{Adjust, Read, WatchedScene};
 pub use event::{Problem, ReloadEvent, Restarts};
 pub use linter::{Linter, Wake};
 pub use message::{News, Outcome};

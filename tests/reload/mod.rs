@@ -84,7 +84,7 @@ impl Bench {
         let loaded = scene::load(&path, &[]).unwrap();
         let library = Library::open(&root.join("shaders")).unwrap();
         let mut engine = Engine::open(support::gpu(), library.clone(), &loaded.description).unwrap();
-        let file = WatchedScene { path, defines: Vec::new(), adjust: Box::new(|_| {}) };
+        let file = WatchedScene::file(path, Vec::new(), Box::new(|_| {}));
         let sources = Sources {
             shaders: Some((root.join("shaders"), library)),
             scene: Some((file, loaded.description, loaded.files)),

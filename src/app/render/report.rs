@@ -8,8 +8,8 @@ use super::arguments::RenderArguments;
 use crate::components::Crop;
 use crate::engine::{FilmImage, Report};
 use crate::layout::film::BadSample;
-use crate::scene::SceneDescription;
 use crate::scene::settings::{Named, SETTINGS, Setting, Settings};
+use crate::scene::{Define, SceneDescription};
 
 /// Wall-clock seconds of the phases.
 #[derive(Clone, Copy, Debug, Default)]
@@ -42,7 +42,7 @@ impl RenderSummary<'_> {
     pub fn metadata(&self) -> Vec<(&'static str, String)> {
         let scene = self.description;
         let defines: Vec<String> =
-            self.arguments.flags.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
+            self.arguments.flags.define.iter().map(|define| format!("{}={}", define.path, define.value)).collect();
         let mut data = vec![
             ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
             ("scene", self.path.display().to_string()),
@@ -74,8 +74,8 @@ impl RenderSummary<'_> {
                 option(&format!("--{}", flag.name), text);
             }
         }
-        for (key, value) in &self.arguments.flags.define {
-            option("-D", format!("{key}={value}"));
+        for Define { path, value, .. } in &self.arguments.flags.define {
+            option("-D", format!("{path}={value}"));
         }
         words.join(" ")
     }

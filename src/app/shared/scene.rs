@@ -9,7 +9,7 @@ use super::pictures::watch_pictures;
 use super::settings::SettingFlags;
 use super::values::define;
 use crate::scene::settings::Settings;
-use crate::scene::{self, Loading, SceneDescription};
+use crate::scene::{self, Define, Loading, SceneDescription};
 use crate::shader::{Library, ShaderError};
 use crate::watch::{Sources, WatchedScene};
 
@@ -24,7 +24,7 @@ pub struct SceneFlags {
     pub camera: Option<String>,
     /// Change a value of the scene file, such as -D materials.ball.ns=64
     #[arg(short = 'D', value_name = "KEY=VALUE", value_parser = define)]
-    pub define: Vec<(String, String)>,
+    pub define: Vec<Define>,
     /// The folder of shaders [default: ./shaders where there is one, else those that were built in]
     #[arg(long, value_name = "DIR")]
     pub shaders: Option<PathBuf>,
@@ -71,7 +71,7 @@ impl SceneFlags {
         let flags = self.clone();
         // A flag that does not fit the edited scene is left out: the rest of the scene is worth seeing.
         let adjust = Box::new(move |description: &mut SceneDescription| drop(flags.adjust(description)));
-        let file = WatchedScene { path: opened.path, defines: self.define.clone(), adjust };
+        let file = WatchedScene::file(opened.path, self.define.clone(), adjust);
         Sources {
             shaders: self.shader_folder().map(|folder| (folder.to_path_buf(), library)),
             scene: Some((file, opened.description, opened.files)),
