@@ -1,8 +1,12 @@
 //! What several commands share.
 
 pub mod compiling;
+pub(super) mod describe;
 pub(super) mod failure;
+#[cfg(feature = "flip")]
+pub(super) mod flip;
 pub(super) mod interrupt;
+pub(super) mod key;
 pub(super) mod output;
 pub(super) mod pictures;
 pub(super) mod progress;
