@@ -1,12 +1,19 @@
 //! Families of scenes: their files, the command that renders them, and its answers.
 
+#[cfg(unix)]
+mod browser;
 mod compete;
 mod files;
 mod goals;
+mod hand;
+#[cfg(unix)]
+mod page;
 mod planning;
 mod race;
 mod resume;
 mod share;
+mod sheet;
+mod table;
 mod wrong;
 
 use std::path::Path;

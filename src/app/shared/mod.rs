@@ -1,6 +1,7 @@
 //! What several commands share.
 
 pub mod compiling;
+pub(super) mod csv;
 pub(super) mod describe;
 pub(super) mod failure;
 #[cfg(feature = "flip")]
@@ -9,6 +10,7 @@ pub(super) mod interrupt;
 pub(super) mod key;
 pub(super) mod output;
 pub(super) mod pictures;
+pub(super) mod plot;
 pub(super) mod progress;
 pub(super) mod scene;
 pub(super) mod seconds;

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
+use super::answers;
 use super::blank::{blank, missing};
 use super::jobs::Board;
 use super::record::{Answer, AxisRecord, Record, State};
@@ -103,7 +104,8 @@ fn write(answer: &Answer, folder: &Path) -> Result<(), SaveError> {
     let path = folder.join("answer.json");
     let text = serde_json::to_string_pretty(answer)
         .map_err(|error| SaveError::Write { path: path.clone(), source: error.into() })?;
-    file::write_text(&path, &(text + "\n"))
+    file::write_text(&path, &(text + "\n"))?;
+    answers::write(answer, folder).map(|_| ())
 }
 
 /// Of a member that nothing was done about yet.

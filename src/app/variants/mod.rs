@@ -10,6 +10,7 @@
 //! | `list` | says what would be done |
 
 mod against;
+pub mod answers;
 mod arguments;
 mod blank;
 mod board;
