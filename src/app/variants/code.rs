@@ -28,17 +28,15 @@ impl Codes {
 
     /// The number of a member's shaders, or what is wrong with them.
     pub fn number(&mut self, member: &Member) -> Result<usize, String> {
-        let folder = member.shaders.clone().or_else(|| self.folder.clone());
-        let wanted = (folder.clone(), member.values.clone());
+        let wanted = (member.shaders.clone(), member.values.clone());
         if let Some(number) = self.numbers.get(&wanted) {
             return Ok(*number);
         }
-        let read = || folder.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open);
-        let library = self.folders.entry(folder.clone()).or_insert_with(read);
-        let library = library.clone().map_err(|error| error.to_string())?;
-        if let Some(name) = member.values.keys().next() {
-            return Err(format!("shader.{name}: no shader has a value that can be set"));
+        let mut library = self.opened(self.folder.clone())?;
+        if let Some(folder) = &member.shaders {
+            library = self.opened(Some(folder.clone()))?.laid_over(&library);
         }
+        let library = library.with_values(&member.values).map_err(|error| error.to_string())?;
         // Another folder of the same files is the same code.
         let known = self.libraries.iter().position(|known| known.is_same(&library));
         let number = known.unwrap_or(self.libraries.len());
@@ -47,6 +45,13 @@ impl Codes {
         }
         self.numbers.insert(wanted, number);
         Ok(number)
+    }
+
+    /// A folder as it is by itself; the built-in shaders without one.
+    fn opened(&mut self, folder: Option<PathBuf>) -> Result<Library, String> {
+        let read = || folder.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open);
+        let library = self.folders.entry(folder.clone()).or_insert_with(read);
+        library.clone().map_err(|error| error.to_string())
     }
 
     /// The library of a number.

@@ -199,9 +199,9 @@ fn member(
     Ok(Some((record, traced.film, described.metadata())))
 }
 
-/// The command that renders a member alone. `render` sets no values of shaders.
+/// The command that renders a member alone. `render` sets no values of shaders, and takes folders that are whole.
 fn repeat(family: &Family, subject: &Subject, described: &Described) -> String {
-    match subject.member.values.is_empty() {
+    match subject.member.values.is_empty() && subject.member.shaders.is_none() {
         true => described.repeat(),
         false => {
             let [file, name] = [&family.path.display().to_string(), &subject.member.name].map(|word| quoted(word));
