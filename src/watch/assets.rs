@@ -54,7 +54,7 @@ impl SceneFiles {
         self.seen.keys().flat_map(|file| files::trail(file))
     }
 
-    /// Loads the scene anew if any of its files changed. `patient`: a file that is empty or gone is being saved.
+    /// Loads the scene anew if any of its files changed. `patient`: a file that is empty, gone or cut short is being saved.
     pub fn look(&mut self, patient: bool, force: bool) -> Look<Box<Loaded>> {
         let now: Vec<(PathBuf, Seen)> =
             self.seen.iter().map(|(path, old)| (path.clone(), Seen::of(path, Some(old)))).collect();
@@ -67,8 +67,12 @@ impl SceneFiles {
         if patient && changed.iter().any(|(_, seen)| seen.digest.length == 0) {
             return Look::Unfinished;
         }
-        let files = changed.into_iter().map(|(path, _)| path.clone()).collect();
+        let files: Vec<PathBuf> = changed.into_iter().map(|(path, _)| path.clone()).collect();
         let (mut result, read) = (self.scene.read)();
+        let is_cut_short = |loaded: &Loaded| loaded.unfinished.iter().any(|file| files.contains(file));
+        if patient && result.as_ref().is_ok_and(is_cut_short) {
+            return Look::Unfinished;
+        }
         // What a broken scene names is not all known: then the old files stay under watch.
         if let Ok(loaded) = &mut result {
             (self.scene.adjust)(&mut loaded.description);

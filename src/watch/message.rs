@@ -29,7 +29,7 @@ pub enum Message {
 /// What a look at some files gives.
 pub enum Look<T> {
     Same,
-    /// A file is empty or gone: most likely it is being saved.
+    /// A file is empty, gone or cut short: most likely it is being saved.
     Unfinished,
     Changed {
         files: Vec<PathBuf>,

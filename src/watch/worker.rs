@@ -19,7 +19,7 @@ const QUIET: Duration = Duration::from_millis(30);
 /// But no burst is longer than this.
 const LONGEST_BURST: Duration = Duration::from_millis(500);
 
-/// A file that stays empty or away for so long is meant to be.
+/// A file that stays empty, cut short or away for so long is meant to be.
 const PATIENCE: Duration = Duration::from_millis(500);
 
 /// Between two looks for a folder that is not there.

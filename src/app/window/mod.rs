@@ -34,7 +34,7 @@ pub mod keys;
 pub mod navigate;
 mod overlay;
 pub mod pace;
-mod panel;
+pub mod panel;
 mod reason;
 mod saves;
 mod screen;

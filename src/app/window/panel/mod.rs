@@ -4,7 +4,7 @@
 //! engine finds out by itself what it makes undone.
 
 mod maps;
-mod materials;
+pub mod materials;
 mod passes;
 mod pixel;
 mod progress;
