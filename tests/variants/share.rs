@@ -10,7 +10,7 @@ use lucerna::scene::variants::plan;
 use lucerna::scene::{self, Assets};
 use lucerna::shader::Library;
 
-use super::{answer, done, folder, member};
+use super::{answer, done, folder, member, run};
 use crate::support::gpu;
 
 /// Numbers of a material, cameras and samplers: 18 members.
