@@ -296,6 +296,24 @@ check_xvfb() {
     return 1
 }
 
+# The page of a family of scenes is tested in a browser.
+check_chromium() {
+    if have chromium || have chromium-browser || have google-chrome || have google-chrome-stable; then return 0; fi
+    if have apt-get && install_with_apt chromium && have chromium; then
+        say "browser for tests: Chromium"
+        return 0
+    fi
+    complain "Chromium is missing, in which pages are tested. Install it:"
+    complain "  Debian:         sudo apt-get install chromium"
+    complain "  Ubuntu:         sudo snap install chromium"
+    complain "  Fedora:         sudo dnf install chromium"
+    complain "  Arch:           sudo pacman -S chromium"
+    complain "  openSUSE:       sudo zypper install chromium"
+    complain "  Alpine:         sudo apk add chromium"
+    complain "  macOS, Windows: https://www.google.com/chrome, as google-chrome on the PATH"
+    return 1
+}
+
 tests=no
 release_mesa=no
 for argument in "$@"; do
@@ -313,6 +331,9 @@ check_driver || failed=1
 check_rust || failed=1
 check_linker || failed=1
 check_cxx || failed=1
-if [ "$tests" = yes ]; then check_xvfb || failed=1; fi
+if [ "$tests" = yes ]; then
+    check_xvfb || failed=1
+    check_chromium || failed=1
+fi
 if [ "$failed" -eq 0 ]; then say "ready"; fi
 exit "$failed"

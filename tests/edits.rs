@@ -143,7 +143,7 @@ fn pixels(engine: &mut Engine) -> Vec<FilmPixel> {
 fn a_hundred_edits_end_where_a_fresh_engine_begins() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes/cornell-box.ron");
     let small = [("film.size", "(20,16)"), ("render.spp", "2"), ("render.max_depth", "4")];
-    let small = small.map(|(k, v)| (k.to_owned(), v.to_owned()));
+    let small = small.map(|(path, value)| scene::Define::given(path, value));
     let file = scene::load(&path, &small).unwrap().description;
     let mut engine = Engine::open(support::gpu(), Library::shipped(), &file).unwrap();
     let mut dice = Dice(1);

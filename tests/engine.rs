@@ -18,7 +18,7 @@ const STEP: Duration = Duration::from_millis(100);
 
 fn describe(name: &str, defines: &[(&str, &str)]) -> SceneDescription {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes").join(name).with_extension("ron");
-    let defines: Vec<_> = defines.iter().map(|(k, v)| (k.to_string(), v.to_string())).collect();
+    let defines: Vec<_> = defines.iter().map(|(path, value)| scene::Define::given(*path, *value)).collect();
     scene::load(&path, &defines).unwrap_or_else(|e| panic!("{e:?}")).description
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use lucerna::components::{Environment, Geometry, MeshData};
-use lucerna::scene::{Diagnostic, Diagnostics, Loaded, MtlMaterial, apply, check, load};
+use lucerna::scene::{Define, Diagnostic, Diagnostics, Loaded, MtlMaterial, apply, check, load};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -169,7 +169,7 @@ fn check_result(result: Result<Loaded, Diagnostics>) -> bool {
 }
 
 /// Loads a file from a folder with the given files, and checks the folder. Whether loading succeeded.
-fn load_files(files: &[(&str, &[u8])], open: &str, defines: &[(String, String)]) -> bool {
+fn load_files(files: &[(&str, &[u8])], open: &str, defines: &[Define]) -> bool {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (name, bytes) in files {
         std::fs::write(folder.path().join(name), bytes).expect("a file");
@@ -307,7 +307,7 @@ fn any_defines() {
                  models||.|film.|é|\"|cameras.a|environment|materials.red";
     let path = select(paths.split('|').collect::<Vec<_>>());
     let values: Vec<&str> = "1|(1, 1)|0.5|front|None|(1, 0, 0)".split('|').chain(RON_TOKENS.split('|')).collect();
-    let pair = (path.prop_map(str::to_owned), select(values).prop_map(str::to_owned));
+    let pair = (path, select(values)).prop_map(|(path, value)| Define::given(path, value));
     run(800, 5, &vec(pair, 0..3), |defines| {
         let files = [("scene.ron", GOOD_RON.as_bytes()), ("m.obj", GOOD_OBJ), ("m.mtl", GOOD_MTL)];
         load_files(&files, "scene.ron", &defines)

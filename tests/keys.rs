@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use lucerna::scene::{KEYS, Value, load};
+use lucerna::scene::{Define, KEYS, Value, load};
 
 /// The lines of README.md's table of keys, down to the first that is of MTL files alone.
 fn table() -> Vec<String> {
@@ -43,7 +43,7 @@ fn a_define_and_a_statement_reach_every_key() {
     crate::mtl_maps::write_picture(&folder.path().join("t.png"));
     write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
     write("s.ron", "(models: [(path: \"m.obj\")], materials: { \"a\": () })");
-    let loaded = |mtl: &str, defines: &[(String, String)]| {
+    let loaded = |mtl: &str, defines: &[Define]| {
         write("m.mtl", mtl);
         let loaded = load(&folder.path().join("s.ron"), defines).unwrap_or_else(|errors| panic!("{errors}"));
         loaded.description.materials["m:a"].clone()
@@ -53,7 +53,7 @@ fn a_define_and_a_statement_reach_every_key() {
     for key in KEYS {
         let value = value_of(&key.value);
         let defined =
-            loaded("newmtl a\nKd 0.75\nKs 0.125\n", &[(format!("materials.a.{}", key.scene), value.to_owned())]);
+            loaded("newmtl a\nKd 0.75\nKs 0.125\n", &[Define::given(format!("materials.a.{}", key.scene), value)]);
         assert_ne!(defined, plain, "{}", key.scene);
         if let Some(statement) = key.mtl {
             let written = loaded(&format!("newmtl a\nKd 0.75\nKs 0.125\n{statement} {value}\n"), &[]);

@@ -64,5 +64,6 @@ mod tree;
 mod tree_builder;
 mod unpack;
 mod unseen;
+mod variants;
 mod view;
 mod window;

@@ -7,7 +7,7 @@ use glam::{DVec3, UVec2, Vec3};
 use lucerna::components::{
     Active, Camera, Energy, Environment, Film, Geometry, Lobe, Material, Name, Passage, Render, Transform, UsesMaterial,
 };
-use lucerna::scene::{Diagnostics, Loaded, MtlMaterial, SceneDescription, apply, check, describe, find, load};
+use lucerna::scene::{Define, Diagnostics, Loaded, MtlMaterial, SceneDescription, apply, check, describe, find, load};
 
 /// A square of two triangles in a red material.
 const SQUARE: &str = "mtllib square.mtl\no square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\n";
@@ -37,7 +37,7 @@ fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
 
 fn load_text(scene: &str, defines: &[(&str, &str)]) -> Result<Loaded, Diagnostics> {
     let folder = folder(&[("square.obj", SQUARE), ("square.mtl", SQUARE_MTL), ("scene.ron", scene)]);
-    let defines: Vec<(String, String)> = defines.iter().map(|(k, v)| (k.to_string(), v.to_string())).collect();
+    let defines: Vec<_> = defines.iter().map(|(path, value)| Define::given(*path, *value)).collect();
     load(&folder.path().join("scene.ron"), &defines)
 }
 
@@ -78,7 +78,7 @@ fn every_field_arrives() {
 #[test]
 fn an_obj_file_is_a_scene_of_its_own() {
     let folder = folder(&[("square.obj", SQUARE), ("square.mtl", SQUARE_MTL)]);
-    let defines = [("render.spp".to_owned(), "3".to_owned())];
+    let defines = [Define::given("render.spp", "3")];
     let scene = load(&folder.path().join("square.obj"), &defines).unwrap().description;
     assert_eq!(scene.name, "square");
     assert_eq!(scene.environment, Some(Environment::Constant(Vec3::ONE)));

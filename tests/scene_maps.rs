@@ -4,7 +4,7 @@ use std::path::Path;
 
 use glam::{Vec2, Vec3};
 use lucerna::components::{Channel, Wrap};
-use lucerna::scene::{Diagnostics, Loaded, MtlMaterial, load};
+use lucerna::scene::{Define, Diagnostics, Loaded, MtlMaterial, load};
 
 use crate::mtl_maps::write_picture;
 
@@ -21,7 +21,7 @@ fn load_scene(materials: &str, defines: &[(&str, &str)]) -> Result<Loaded, Diagn
         "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 2/1 3/1\n",
     );
     write("s.ron", &format!("(models: [(path: \"models/m.obj\")], materials: {{\n{materials}\n}})"));
-    let defines: Vec<_> = defines.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
+    let defines: Vec<_> = defines.iter().map(|(path, value)| Define::given(*path, *value)).collect();
     load(&folder.path().join("s.ron"), &defines)
 }
 

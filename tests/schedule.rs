@@ -22,7 +22,8 @@ type Counts = BTreeMap<&'static str, u64>;
 
 fn open() -> Engine {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes/cornell-box.ron");
-    let defines = [("film.size", "(16,16)"), ("render.spp", "2")].map(|(k, v)| (k.to_owned(), v.to_owned()));
+    let defines =
+        [("film.size", "(16,16)"), ("render.spp", "2")].map(|(path, value)| scene::Define::given(path, value));
     let description = scene::load(&path, &defines).unwrap_or_else(|e| panic!("{e:?}")).description;
     let mut engine = Engine::open(support::gpu(), Library::shipped(), &description).unwrap();
     finish(&mut engine);

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use lucerna::components::{Film, Render};
-use lucerna::scene::load;
 use lucerna::scene::settings::{Group, SETTINGS, Setting, Settings, Value};
+use lucerna::scene::{Define, load};
 
 /// A value that is not the default, as a scene file has it, and as a flag.
 fn other(setting: &Setting) -> (String, String) {
@@ -31,7 +31,7 @@ fn a_scene_file_reaches_every_setting_and_no_other() {
     for setting in SETTINGS {
         let (variant, text) = other(setting);
         let group = if setting.group == Group::Film { "film" } else { "render" };
-        let defines = [(format!("{group}.{}", setting.field), variant.clone())];
+        let defines = [Define::given(format!("{group}.{}", setting.field), &variant)];
         let loaded = load(&scene, &defines).unwrap_or_else(|errors| panic!("{errors}")).description;
         let read = Settings { film: loaded.film, render: loaded.render };
         assert_ne!(read, Settings::default(), "{}", setting.field);

@@ -28,7 +28,8 @@ const PIXELS: usize = 48 * 36;
 
 fn open(name: &str, spp: &str) -> Engine {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes").join(name).with_extension("ron");
-    let defines = [("film.size", "(48,36)"), ("render.spp", spp)].map(|(k, v)| (k.to_string(), v.to_string()));
+    let defines =
+        [("film.size", "(48,36)"), ("render.spp", spp)].map(|(path, value)| scene::Define::given(path, value));
     let description = scene::load(&path, &defines).unwrap_or_else(|e| panic!("{e:?}")).description;
     Engine::open(support::gpu(), Library::shipped(), &description).unwrap()
 }

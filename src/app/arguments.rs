@@ -8,6 +8,7 @@ use super::compare::CompareArguments;
 use super::judge::JudgeArguments;
 use super::render::RenderArguments;
 use super::shared::values::EXIT_CODES;
+use super::variants::VariantsArguments;
 use super::watch::WatchArguments;
 use super::window::ViewArguments;
 
@@ -28,6 +29,8 @@ pub enum Command {
     Render(RenderArguments),
     /// Render while shaders and scene files are edited, and tell what came of every save
     Watch(WatchArguments),
+    /// Render a family of scenes that a file describes, doing only what differs again
+    Variants(Box<VariantsArguments>),
     /// Compare a picture with a reference
     Compare(CompareArguments),
     /// Check assets and shaders without rendering

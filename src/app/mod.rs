@@ -10,6 +10,7 @@ mod doctor;
 pub mod judge;
 mod render;
 pub mod shared;
+pub mod variants;
 mod watch;
 pub mod window;
 
@@ -46,6 +47,7 @@ pub fn main() -> ExitCode {
         Command::View(view) => window::run(&view),
         Command::Render(render) => render::run(&render, started),
         Command::Watch(watch) => watch::run(&watch),
+        Command::Variants(family) => variants::run(&family),
         Command::Compare(comparison) => compare::run(&comparison),
         Command::Check(check) => check::run(&check),
         Command::Doctor => doctor::run(),

@@ -6,7 +6,7 @@ use bevy_ecs::prelude::*;
 use glam::{DMat3, UVec2, Vec3};
 
 /// Light that arrives where no surface is hit.
-#[derive(Component, Clone, Debug, PartialEq)]
+#[derive(Component, Clone, Debug)]
 pub enum Environment {
     /// The same radiance from everywhere, linear Rec.709, each channel at least 0.
     Constant(Vec3),
@@ -22,6 +22,24 @@ pub enum Environment {
     },
     /// The sky of a clear day, with its sun.
     Daylight(Daylight),
+}
+
+impl PartialEq for Environment {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Constant(a), Self::Constant(b)) => a == b,
+            (
+                Self::Map { image, strength, tint, turn },
+                Self::Map { image: other, strength: other_strength, tint: other_tint, turn: other_turn },
+            ) => {
+                let settings = (strength, tint, turn) == (other_strength, other_tint, other_turn);
+                // Pictures are large: the same one is not compared by its pixels.
+                settings && (Arc::ptr_eq(image, other) || image == other)
+            }
+            (Self::Daylight(a), Self::Daylight(b)) => a == b,
+            _ => false,
+        }
+    }
 }
 
 /// A clear day by its sun, its haze and its ground.

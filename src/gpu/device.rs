@@ -127,6 +127,13 @@ impl Gpu {
         Self::open_adapter(&adapter, wanted_features())
     }
 
+    /// Opens the adapter of a number, as [`adapters`] lists them, with its own limits.
+    pub fn open_number(number: usize) -> Result<Arc<Gpu>, GpuError> {
+        let adapters = ordered_adapters(&instance());
+        let adapter = adapters.get(number).ok_or(GpuError::NoAdapter)?;
+        Self::open_adapter(adapter, wanted_features())
+    }
+
     /// Opens the best adapter that can present to a surface, or the one `LUCERNA_ADAPTER` names, with its own limits.
     pub(super) fn open_for(
         instance: &wgpu::Instance,

@@ -13,7 +13,7 @@ pub enum EnvironmentEntry {
     Constant(Vec3),
     Daylight(Daylight),
     Map {
-        /// As written: relative to the scene file's folder.
+        /// As written: relative to the folder of the file that has it.
         path: String,
         strength: f32,
         tint: Vec3,
@@ -48,7 +48,8 @@ pub fn read_environment(reader: &Reader, node: &Node) -> Option<EnvironmentEntry
 /// `(path: "sky.exr", strength: 1, tint: (1, 1, 1), rotate_x: 0, rotate_y: 0, rotate_z: 0)`
 fn read_map(reader: &Reader, node: &Node) -> Option<EnvironmentEntry> {
     let fields = Fields::open(reader, node, "environment")?;
-    let place = Box::new(node.text.error(fields.get("path").map_or(node.source, |path| path.source), ""));
+    let named = fields.get("path").unwrap_or(node);
+    let place = Box::new(named.text.error(named.source, ""));
     let path = fields.require("path", Node::string);
     let strength = fields.read("strength", |node| node.number(0.0, 1e6)).unwrap_or(1.0) as f32;
     let tint = fields.read("tint", |node| node.colour(1e3)).unwrap_or(Vec3::ONE);

@@ -2,30 +2,28 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use glam::{DAffine3, DVec3};
+use glam::DVec3;
 
+use super::assets::Assets;
 use super::bounds::Bounds;
+use super::define::Define;
 use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::environment::EnvironmentEntry;
-use super::file::{DEFAULT_CAMERA, MaterialEntry, ModelEntry, SceneFile, plain_field, read_scene};
+use super::file::{DEFAULT_CAMERA, MaterialEntry, ModelEntry, SceneFile};
 use super::kind::Kind;
-use super::locate::{as_written, file_names};
-use super::model::{FARTHEST, Imported, Model};
+use super::locate::{as_written, file_names, folder_of, relative_to};
+use super::model::FARTHEST;
 use super::mtl::MtlMaterial;
 use super::obj::read_obj;
-use super::ron::{Reader, apply_defines, define_texts, parse};
+use super::read::Reading;
 use super::sky::read_sky;
 use super::suggest::{did_you_mean, known_names};
-use super::text::{Text, missing};
+use super::text::missing;
 use super::textures::{self, Loading};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
 use crate::components::{Camera, Environment, Texture, Transform};
-
-/// Bytes that a scene file may have.
-const SCENE_LIMIT: u64 = 4 << 20;
 
 /// What loading gives.
 #[derive(Clone, Debug)]
@@ -35,70 +33,84 @@ pub struct Loaded {
     pub warnings: Vec<Diagnostic>,
     /// Every file that was read, or that was looked for and is missing.
     pub files: Vec<PathBuf>,
+    /// Pictures that are cut short: if one was saved just now, its rest may follow.
+    pub unfinished: Vec<PathBuf>,
 }
 
 /// Reads a scene file, or an OBJ file with a default camera and a constant environment.
 ///
-/// `defines` change values of the scene file by field path before it is typed: `("materials.teapot.ns", "64")`.
-pub fn load(scene: &Path, defines: &[(String, String)]) -> Result<Loaded, Diagnostics> {
+/// `defines` change values of the scene file by field path before it is typed: `materials.teapot.ns` to `64`.
+pub fn load(scene: &Path, defines: &[Define]) -> Result<Loaded, Diagnostics> {
     attempt(scene, defines).0
 }
 
 /// The same, with other bounds for pictures, and somebody who is told how far they are.
-pub fn load_with(scene: &Path, defines: &[(String, String)], loading: &Loading) -> Result<Loaded, Diagnostics> {
-    attempt_with(scene, defines, loading).0
+pub fn load_with(scene: &Path, defines: &[Define], loading: &Loading) -> Result<Loaded, Diagnostics> {
+    attempt_in(scene, defines, loading, &Assets::new()).0
 }
 
 /// The same as [`load`], and every file that was read or looked for, whatever came of it.
-pub fn attempt(scene: &Path, defines: &[(String, String)]) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
-    attempt_with(scene, defines, &Loading::default())
+pub fn attempt(scene: &Path, defines: &[Define]) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
+    attempt_in(scene, defines, &Loading::default(), &Assets::new())
 }
 
-fn attempt_with(
+/// The same, of files as they are held: what another scene has read is not read again.
+pub fn attempt_in(
     scene: &Path,
-    defines: &[(String, String)],
+    defines: &[Define],
     loading: &Loading,
+    assets: &Assets,
 ) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
-    let mut loader = Loader::default();
+    let mut loader = Loader {
+        assets,
+        files: Vec::new(),
+        diagnostics: Diagnostics::default(),
+        models: BTreeSet::new(),
+        map_places: BTreeMap::new(),
+        unfinished: Vec::new(),
+    };
     let description = loader.load(scene, defines, loading);
     let files = loader.files.clone();
     let loaded = match description {
         Some(description) if !loader.diagnostics.has_errors() => {
-            Ok(Loaded { description, warnings: loader.diagnostics.list, files: loader.files })
+            let Loader { diagnostics, files, unfinished, .. } = loader;
+            Ok(Loaded { description, warnings: diagnostics.list, files, unfinished })
         }
         _ => Err(loader.diagnostics),
     };
     (loaded, files)
 }
 
-#[derive(Default)]
-struct Loader {
+struct Loader<'s> {
+    assets: &'s Assets,
     files: Vec<PathBuf>,
     diagnostics: Diagnostics,
-    /// Each OBJ file is read once, however many models use it; `None` where it failed.
-    models: BTreeMap<PathBuf, Option<Model>>,
+    /// OBJ files of which all was told.
+    models: BTreeSet<PathBuf>,
     /// By the files that maps name: the first place that does, as a warning without its message.
     map_places: BTreeMap<PathBuf, Diagnostic>,
+    /// Pictures that are cut short.
+    unfinished: Vec<PathBuf>,
 }
 
-impl Loader {
-    fn load(&mut self, scene: &Path, defines: &[(String, String)], loading: &Loading) -> Option<SceneDescription> {
-        let mut file = self.read_file(scene, defines)?;
-        let folder = scene.parent().unwrap_or(Path::new(""));
+impl Loader<'_> {
+    fn load(&mut self, scene: &Path, defines: &[Define], loading: &Loading) -> Option<SceneDescription> {
+        let Self { assets, files, diagnostics, .. } = self;
+        let mut file = Reading { assets, files, diagnostics }.scene(scene, defines)?;
         let mut meshes = BTreeMap::new();
         let mut materials = BTreeMap::new();
         let mut names = BTreeMap::new();
         let mut models = Vec::new();
         for entry in &file.models {
-            let name = self.add_model(folder, entry, &mut names, &mut meshes, &mut materials);
+            let name = self.add_model(scene, entry, &mut names, &mut meshes, &mut materials);
             models.extend(name.map(|name| (name, &entry.place)));
         }
         for entry in &mut file.materials {
-            self.find_maps(folder, entry);
+            self.find_maps(scene, entry);
             self.edit_materials(entry, &mut materials);
         }
         let cameras = if file.cameras.is_empty() { default_camera(&meshes, &file) } else { file.cameras };
-        let environment = file.environment.and_then(|entry| self.read_environment(folder, entry));
+        let environment = file.environment.and_then(|entry| self.read_environment(scene, entry));
         let active = file.active.or_else(|| cameras.keys().next().cloned())?;
         let textures = self.load_textures(&meshes, &materials, loading);
         for material in materials.values_mut() {
@@ -132,57 +144,17 @@ impl Loader {
         }
     }
 
-    /// Reads and types the scene file; for an OBJ file, the scene that holds it alone.
-    fn read_file(&mut self, scene: &Path, defines: &[(String, String)]) -> Option<SceneFile> {
-        let model = match Kind::of(scene) {
-            Ok(Some(Kind::Model)) => true,
-            Ok(Some(Kind::Library)) => {
-                self.files.push(scene.to_path_buf());
-                let error = Diagnostic::file(Severity::Error, scene, "this is a library of materials, not a scene");
-                self.diagnostics.push(error.help("name the model (.obj) that uses it, or `lucerna check` it"));
-                return None;
-            }
-            Ok(_) => false,
-            Err(error) => {
-                self.files.push(scene.to_path_buf());
-                self.diagnostics.push(error);
-                return None;
-            }
-        };
-        let text = if model {
-            let text = "(environment: Constant(1.0))".to_owned();
-            Ok(Text { file: scene.to_path_buf(), text })
-        } else {
-            self.files.push(scene.to_path_buf());
-            Text::read(scene, SCENE_LIMIT)
-        };
-        let text = text.map_err(|error| self.diagnostics.push(error)).ok()?;
-        let defined = define_texts(defines);
-        let tree = parse(&text).and_then(|mut root| {
-            apply_defines(&mut root, defines, &defined, plain_field)?;
-            Ok(root)
-        });
-        let root = tree.map_err(|error| self.diagnostics.push(error)).ok()?;
-        let reader = Reader::default();
-        let mut file = read_scene(&reader, &root);
-        self.diagnostics.list.extend(reader.into_diagnostics());
-        if model {
-            let path = scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let place = Diagnostic::file(Severity::Error, scene, "");
-            file.models.insert(0, ModelEntry { path, name: None, transform: DAffine3::IDENTITY, place });
-        }
-        Some(file)
-    }
-
     /// The environment, with its picture.
-    fn read_environment(&mut self, folder: &Path, entry: EnvironmentEntry) -> Option<Environment> {
+    fn read_environment(&mut self, scene: &Path, entry: EnvironmentEntry) -> Option<Environment> {
         match entry {
             EnvironmentEntry::Constant(radiance) => Some(Environment::Constant(radiance)),
             EnvironmentEntry::Daylight(day) => Some(Environment::Daylight(day)),
             EnvironmentEntry::Map { path, strength, tint, turn, place } => {
-                let path = folder.join(path.replace('\\', "/"));
+                let path = folder_of(&place, scene).join(path.replace('\\', "/"));
                 self.files.push(path.clone());
-                let image = Arc::new(read_sky(&path, &place, &mut self.diagnostics)?);
+                let sky = self.assets.sky(&path, || read_sky(&path));
+                self.diagnostics.list.extend(sky.messages(&place));
+                let image = sky.image.clone()?;
                 Some(Environment::Map { image, strength, tint, turn })
             }
         }
@@ -202,9 +174,10 @@ impl Loader {
             self.files.extend(maps.map(|(map, _)| map.file.clone()));
             return BTreeMap::new();
         }
-        let found = textures::load(maps, &|file| self.place_of_map(file), loading);
+        let found = textures::load(maps, &|file| self.place_of_map(file), loading, self.assets);
         self.diagnostics.list.extend(found.messages);
         self.files.extend(found.files);
+        self.unfinished = found.unfinished;
         found.textures
     }
 
@@ -216,20 +189,19 @@ impl Loader {
     /// Adds the meshes and materials of one model under a name of its own, which it returns.
     fn add_model(
         &mut self,
-        folder: &Path,
+        scene: &Path,
         entry: &ModelEntry,
         names: &mut BTreeMap<String, u32>,
         meshes: &mut BTreeMap<String, MeshEntry>,
         materials: &mut BTreeMap<String, MtlMaterial>,
     ) -> Option<String> {
-        let path = self.find_model(folder, entry)?;
-        if !self.models.contains_key(&path) {
-            let Imported { model, messages, files } = read_obj(&path);
-            self.diagnostics.list.extend(messages);
-            self.files.extend(files);
-            self.models.insert(path.clone(), model);
+        let path = self.find_model(scene, entry)?;
+        let imported = self.assets.model(&path, || read_obj(&path, self.assets));
+        if self.models.insert(path.clone()) {
+            self.diagnostics.list.extend(imported.messages.list.iter().cloned());
+            self.files.extend(imported.files.iter().cloned());
         }
-        let model = self.models.get(&path)?.as_ref()?;
+        let model = imported.model.as_ref()?;
         for (file, place) in &model.map_places {
             self.map_places.entry(file.clone()).or_insert_with(|| place.clone());
         }
@@ -258,7 +230,8 @@ impl Loader {
     }
 
     /// The file of a model, if it is one.
-    fn find_model(&mut self, folder: &Path, entry: &ModelEntry) -> Option<PathBuf> {
+    fn find_model(&mut self, scene: &Path, entry: &ModelEntry) -> Option<PathBuf> {
+        let folder = folder_of(&entry.place, scene);
         // A model that is opened by itself may have any name.
         let path = if entry.place.line > 0 { as_written(folder, &entry.path) } else { entry.place.file.clone() };
         let error = if !path.is_file()
@@ -268,7 +241,7 @@ impl Loader {
             let names = file_names(path.parent().unwrap_or(folder));
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             let near = did_you_mean(&name, names.iter().map(String::as_str));
-            let help = near.unwrap_or_else(|| "the path is relative to the folder of the scene file".into());
+            let help = near.unwrap_or_else(|| relative_to(&entry.place, scene));
             Diagnostic { message: missing("file", &path), ..entry.place.clone() }.help(help)
         } else {
             match Kind::of(&path) {
@@ -289,8 +262,8 @@ impl Loader {
     }
 
     /// Finds the pictures that an entry of the scene file's `materials` names.
-    fn find_maps(&mut self, folder: &Path, entry: &mut MaterialEntry) {
-        for found in entry.edit.find_maps(folder) {
+    fn find_maps(&mut self, scene: &Path, entry: &mut MaterialEntry) {
+        for found in entry.edit.find_maps(scene) {
             if let Some(message) = found.message {
                 self.files.push(found.path.clone());
                 self.diagnostics.push(message);

@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use super::diagnostic::Diagnostic;
 use super::suggest::did_you_mean;
 use super::text::lenient;
 
@@ -19,6 +20,18 @@ const LONGEST: usize = 4096;
 
 /// Folders of a name that are tried, counted from the file.
 const PARTS: usize = 8;
+
+/// The folder that paths are relative to: that of the file which writes them; for what the command line writes, the scene's.
+pub fn folder_of<'p>(place: &'p Diagnostic, scene: &'p Path) -> &'p Path {
+    let file = if place.file == Path::new("-D") { scene } else { &place.file };
+    file.parent().unwrap_or(Path::new(""))
+}
+
+/// What paths are relative to, in words.
+pub fn relative_to(place: &Diagnostic, scene: &Path) -> String {
+    let of = if place.file == Path::new("-D") || place.file == scene { "the scene file" } else { "this file" };
+    format!("the path is relative to the folder of {of}")
+}
 
 /// The path that a name means as it is written: `\` separates folders too, but before a space it only keeps words together.
 pub fn as_written(folder: &Path, name: &str) -> PathBuf {

@@ -6,8 +6,10 @@
 //! Whatever a file can't be taken at its word for is an error or a warning at its line and column, never a silent default.
 
 mod apply;
+mod assets;
 mod bounds;
 mod check;
+mod define;
 mod describe;
 mod description;
 mod diagnostic;
@@ -24,6 +26,7 @@ mod mapped;
 mod model;
 mod mtl;
 mod obj;
+mod read;
 mod ron;
 pub mod settings;
 mod sky;
@@ -33,15 +36,18 @@ mod textures;
 mod triangulate;
 mod turn;
 mod unseen;
+pub mod variants;
 
 pub use apply::{apply, apply_changes};
+pub use assets::Assets;
 pub use check::{Checked, Row, Table, check};
+pub use define::{Define, Written};
 pub use describe::describe;
 pub use description::{MeshEntry, SceneDescription};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use find::{find, names};
 pub use keys::{Colour, KEYS, Key, Range, Value};
-pub use load::{Loaded, attempt, load, load_with};
+pub use load::{Loaded, attempt, attempt_in, load, load_with};
 pub use mtl::{Appearance, MtlMaterial, TextureMap, TextureMaps};
 pub use textures::{Loading, MapUse, name as texture_name};
 pub use triangulate::triangulate;

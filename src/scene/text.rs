@@ -6,15 +6,37 @@ use std::path::{Path, PathBuf};
 use super::diagnostic::{Diagnostic, Severity};
 use crate::files::{self, NoFile};
 
-/// A file's text, or a define of the command line, that messages can point into.
+/// A file's text, or a change of one value, that messages can point into.
 #[derive(Debug)]
 pub struct Text {
     /// The file as it was named, or `-D`.
     pub file: PathBuf,
     pub text: String,
+    /// Of a change that a file asks for: where that is.
+    home: Option<Home>,
+}
+
+/// Where the text of a change is written: its path up to `split` bytes, its value behind.
+#[derive(Debug)]
+struct Home {
+    split: usize,
+    path: Diagnostic,
+    value: Diagnostic,
 }
 
 impl Text {
+    /// A text that messages point into itself.
+    pub fn new(file: &Path, text: String) -> Self {
+        Self { file: file.to_path_buf(), text, home: None }
+    }
+
+    /// `path=value`, of which messages point to where path and value are written: at places, without their messages.
+    pub fn change(path: &str, value: &str, place_of_path: &Diagnostic, place_of_value: &Diagnostic) -> Self {
+        let home = Home { split: path.len(), path: place_of_path.clone(), value: place_of_value.clone() };
+        let file = place_of_path.file.clone();
+        Self { file, text: format!("{path}={value}"), home: Some(home) }
+    }
+
     /// Reads a UTF-8 file of at most `limit` bytes, without its byte order mark.
     pub fn read(file: &Path, limit: u64) -> Result<Self, Diagnostic> {
         let mut bytes = Vec::new();
@@ -33,7 +55,7 @@ impl Text {
             not_utf8(file, error.as_bytes(), valid)
         })?;
         let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
-        Ok(Self { file: file.to_path_buf(), text })
+        Ok(Self::new(file, text))
     }
 
     /// An error about `part`, a slice of this text.
@@ -44,6 +66,9 @@ impl Text {
     /// A message about `part`, a slice of this text.
     pub fn at(&self, severity: Severity, part: &str, message: impl Into<String>) -> Diagnostic {
         let offset = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize).min(self.text.len());
+        if let Some(home) = &self.home {
+            return Diagnostic { severity, message: message.into(), ..home.place(&self.text, offset) };
+        }
         let before = &self.text[..self.text.floor_char_boundary(offset)];
         let start = before.rfind('\n').map_or(0, |at| at + 1);
         let line = before.matches('\n').count() as u32 + 1;
@@ -54,9 +79,39 @@ impl Text {
     /// An error at a line and column, both from 1, columns in characters.
     pub fn error_at(&self, line: usize, column: usize, message: impl Into<String>) -> Diagnostic {
         let text = self.text.split('\n').nth(line.saturating_sub(1)).unwrap_or_default();
+        if let Some(home) = &self.home {
+            let start = text.as_ptr() as usize - self.text.as_ptr() as usize;
+            let offset = text.char_indices().nth(column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
+            let place = home.place(&self.text, start + offset);
+            return Diagnostic { severity: Severity::Error, message: message.into(), ..place };
+        }
         let text = text.strip_suffix('\r').unwrap_or(text);
         let offset = text.char_indices().nth(column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
         Diagnostic::at(Severity::Error, &self.file, line as u32, text, offset, message)
+    }
+}
+
+impl Home {
+    /// Where byte `offset` of a change's `text` is written: the character itself, if the file has the line as it is here; else
+    /// where the path or the value begins.
+    fn place(&self, text: &str, offset: usize) -> Diagnostic {
+        let (place, start) = match offset < self.split {
+            true => (&self.path, 0),
+            false => (&self.value, self.split + 1),
+        };
+        let end = if offset < self.split { self.split } else { text.len() };
+        let part = &text[start.min(end)..end];
+        let first = part.lines().next().unwrap_or_default();
+        let before = part.get(..offset.saturating_sub(start)).filter(|before| before.len() <= first.len());
+        let written: String =
+            place.source_line.chars().skip(place.column.saturating_sub(1 + place.source_skipped) as usize).collect();
+        match before {
+            Some(before) if written.starts_with(first) => {
+                let column = place.column.saturating_add(before.chars().count() as u32);
+                Diagnostic { column, ..place.clone() }
+            }
+            _ => place.clone(),
+        }
     }
 }
 

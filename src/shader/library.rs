@@ -86,6 +86,14 @@ impl Library {
         self
     }
 
+    /// The library, and beside its modules those of `base` that it lacks: a folder may hold only what it changes.
+    pub fn laid_over(mut self, base: &Library) -> Self {
+        for (name, module) in &base.modules {
+            self.modules.entry(name.clone()).or_insert_with(|| module.clone());
+        }
+        self
+    }
+
     /// The library with the loops of all modules limited, as those of edited ones are: counting their rounds costs 5 to 12 % of the
     /// speed of tracing (MEASUREMENTS.md), which is not an edit's fault.
     pub fn with_limited_loops(self) -> Self {

@@ -5,5 +5,6 @@ pub mod blocks;
 pub mod efficiency;
 pub mod equal_means;
 pub mod metrics;
+pub mod race;
 pub mod sign_flips;
 pub mod summary;

@@ -1,46 +1,66 @@
 //! The scene file and all it names: which files are other ones than at the last look.
 
 use std::collections::BTreeMap;
-use std::collections::hash_map::DefaultHasher;
-use std::hash::Hasher;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::event::problems_of;
 use super::message::Look;
-use crate::files::{self, Stamp};
-use crate::scene::{self, Loaded, SceneDescription};
+use crate::files::{self, Digest, Stamp};
+use crate::scene::{self, Define, Diagnostics, Loaded, SceneDescription};
+use crate::shader::Layers;
 
 /// What the command line says over a scene file.
 pub type Adjust = Box<dyn Fn(&mut SceneDescription) + Send>;
 
-/// A scene file, and how it is read.
+/// What reads a scene.
+pub type Read = Box<dyn FnMut() -> Attempt + Send>;
+
+/// What came of reading a scene.
+pub struct Attempt {
+    pub scene: Result<Loaded, Diagnostics>,
+    /// Every file that was read or looked for.
+    pub files: Vec<PathBuf>,
+    /// The shaders that it is to be drawn with, where it says so.
+    pub shaders: Option<Layers>,
+}
+
+/// A scene, and how it is read.
 pub struct WatchedScene {
-    pub path: PathBuf,
-    /// As for [`scene::load`].
-    pub defines: Vec<(String, String)>,
+    pub read: Read,
     /// Done to every description that is loaded.
     pub adjust: Adjust,
+}
+
+impl WatchedScene {
+    /// That of a file, with defines.
+    pub fn file(path: PathBuf, defines: Vec<Define>, adjust: Adjust) -> Self {
+        let read = move || {
+            let (scene, files) = scene::attempt(&path, &defines);
+            Attempt { scene, files, shaders: None }
+        };
+        Self { read: Box::new(read), adjust }
+    }
 }
 
 /// The files of a scene as they were last seen.
 pub struct SceneFiles {
     scene: WatchedScene,
     seen: BTreeMap<PathBuf, Seen>,
+    /// What the last good one is to be drawn with.
+    pub shaders: Option<Layers>,
 }
 
 /// A file's stamp and contents; of what is no file, or can't be read, nothing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Seen {
     stamp: Option<Stamp>,
-    length: u64,
-    hash: u64,
+    digest: Digest,
 }
 
 impl SceneFiles {
     /// `files` are those that were read for what runs now.
     pub fn new(scene: WatchedScene, files: &[PathBuf]) -> Self {
-        let mut this = Self { scene, seen: BTreeMap::new() };
+        let mut this = Self { scene, seen: BTreeMap::new(), shaders: None };
         this.see(files);
         this
     }
@@ -50,24 +70,29 @@ impl SceneFiles {
         self.seen.keys().flat_map(|file| files::trail(file))
     }
 
-    /// Loads the scene anew if any of its files changed. `patient`: a file that is empty or gone is being saved.
+    /// Loads the scene anew if any of its files changed. `patient`: a file that is empty, gone or cut short is being saved.
     pub fn look(&mut self, patient: bool, force: bool) -> Look<Box<Loaded>> {
         let now: Vec<(PathBuf, Seen)> =
             self.seen.iter().map(|(path, old)| (path.clone(), Seen::of(path, Some(old)))).collect();
         let changed: Vec<&(PathBuf, Seen)> =
-            now.iter().filter(|(path, seen)| self.seen[path].hash != seen.hash).collect();
+            now.iter().filter(|(path, seen)| self.seen[path].digest.hash != seen.digest.hash).collect();
         if changed.is_empty() && !force {
             self.seen.extend(now);
             return Look::Same;
         }
-        if patient && changed.iter().any(|(_, seen)| seen.length == 0) {
+        if patient && changed.iter().any(|(_, seen)| seen.digest.length == 0) {
             return Look::Unfinished;
         }
-        let files = changed.into_iter().map(|(path, _)| path.clone()).collect();
-        let (mut result, read) = scene::attempt(&self.scene.path, &self.scene.defines);
+        let files: Vec<PathBuf> = changed.into_iter().map(|(path, _)| path.clone()).collect();
+        let Attempt { scene: mut result, files: read, shaders } = (self.scene.read)();
+        let is_cut_short = |loaded: &Loaded| loaded.unfinished.iter().any(|file| files.contains(file));
+        if patient && result.as_ref().is_ok_and(is_cut_short) {
+            return Look::Unfinished;
+        }
         // What a broken scene names is not all known: then the old files stay under watch.
         if let Ok(loaded) = &mut result {
             (self.scene.adjust)(&mut loaded.description);
+            self.shaders = shaders;
             self.seen.retain(|path, _| read.contains(path));
         }
         self.see(&read);
@@ -94,27 +119,9 @@ impl Seen {
         {
             return old.clone();
         }
-        match contents(path) {
-            Ok((length, hash)) => Seen { stamp: Some(stamp), length, hash },
+        match Digest::of(path) {
+            Ok(digest) => Seen { stamp: Some(stamp), digest },
             Err(_) => Seen::default(),
-        }
-    }
-}
-
-/// Bytes of a file, and their hash.
-fn contents(path: &Path) -> std::io::Result<(u64, u64)> {
-    let mut file = files::open_regular(path)?;
-    let (mut hasher, mut length) = (DefaultHasher::new(), 0);
-    let mut part = vec![0; 1 << 18];
-    loop {
-        match file.read(&mut part) {
-            Ok(0) => return Ok((length, hasher.finish())),
-            Ok(read) => {
-                hasher.write(&part[..read]);
-                length += read as u64;
-            }
-            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
-            Err(error) => return Err(error),
         }
     }
 }

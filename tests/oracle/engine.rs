@@ -23,7 +23,8 @@ use super::{compare, halves};
 fn shipped(name: &str, side: u32) -> SceneDescription {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("assets/scenes/{name}.ron"));
     let size = format!("({side},{side})");
-    let defines = [("film.size", size.as_str()), ("render.max_depth", "5")].map(|(k, v)| (k.to_owned(), v.to_owned()));
+    let defines = [("film.size", size.as_str()), ("render.max_depth", "5")]
+        .map(|(path, value)| scene::Define::given(path, value));
     scene::load(&path, &defines).unwrap_or_else(|e| panic!("{e:?}")).description
 }
 

@@ -2,8 +2,6 @@
 
 mod arguments;
 mod comparison;
-#[cfg(feature = "flip")]
-mod flip;
 mod heat;
 mod report;
 
@@ -120,7 +118,7 @@ fn compare(
     let shown = [shown(&a.pixels, &b.pixels, scale), shown(&b.pixels, &a.pixels, scale)];
     let psnr = peak_signal_to_noise(&shown[0], &shown[1], difference.pixels);
     #[cfg(feature = "flip")]
-    let flip = flip::flip(&shown[0], &shown[1], size);
+    let flip = crate::app::shared::flip::flip(&shown[0], &shown[1], size);
     #[cfg(not(feature = "flip"))]
     let flip = Vec::new();
     Ok(Comparison { size, origin, a, b, difference, blocks, psnr, flip })

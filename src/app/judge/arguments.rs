@@ -9,6 +9,7 @@ use glam::UVec2;
 use super::core::{Plan, WITHIN};
 use crate::app::shared::values::{EXIT_CODES, define, output, seconds, size};
 use crate::image::Output;
+use crate::scene::Define;
 
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES)]
@@ -50,7 +51,7 @@ pub struct JudgeArguments {
     pub force: bool,
     /// Change a value of the scene file, such as -D materials.ball.ns=64
     #[arg(short = 'D', value_name = "KEY=VALUE", value_parser = define)]
-    pub define: Vec<(String, String)>,
+    pub define: Vec<Define>,
     /// Write the new picture: .png with the blocks marked that differ, .exr, or .json (all that --json prints)
     #[arg(short, value_name = "FILE", value_parser = output)]
     pub output: Vec<Output>,

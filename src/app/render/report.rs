@@ -5,11 +5,11 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::arguments::RenderArguments;
-use crate::components::Crop;
+use crate::app::shared::describe::Described;
 use crate::engine::{FilmImage, Report};
 use crate::layout::film::BadSample;
 use crate::scene::SceneDescription;
-use crate::scene::settings::{Named, SETTINGS, Setting, Settings};
+use crate::scene::settings::Named;
 
 /// Wall-clock seconds of the phases.
 #[derive(Clone, Copy, Debug, Default)]
@@ -37,47 +37,21 @@ pub struct RenderSummary<'a> {
 }
 
 impl RenderSummary<'_> {
-    /// What is needed to repeat the render, for the files' metadata. Nothing in it differs between equal renders on one
-    /// machine.
+    /// What is needed to repeat the render, for the files' metadata.
     pub fn metadata(&self) -> Vec<(&'static str, String)> {
-        let scene = self.description;
-        let defines: Vec<String> =
-            self.arguments.flags.define.iter().map(|(key, value)| format!("{key}={value}")).collect();
-        let mut data = vec![
-            ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
-            ("scene", self.path.display().to_string()),
-            ("defines", defines.join("; ")),
-            ("camera", scene.active.clone()),
-            ("size", format!("{}x{}", scene.film.size.x, scene.film.size.y)),
-            ("crop", crop(self.film.window)),
-            ("spp", self.film.spp.to_string()),
-        ];
-        data.extend(settings(scene).map(|(setting, text)| (setting.field, text)));
-        data.extend([("adapter", self.report.adapter.clone()), ("repeat", self.repeat())]);
-        data
+        self.described().metadata()
     }
 
-    /// A command line that gives the same film again.
-    fn repeat(&self) -> String {
-        let scene = self.description;
-        let mut words = vec!["lucerna".to_owned(), "render".to_owned(), quoted(&self.path.display().to_string())];
-        let mut option = |name: &str, value: String| words.extend([name.to_owned(), quoted(&value)]);
-        // Interrupted within the first sample, there is none to be had again that is whole.
-        option("--spp", self.film.spp.max(1).to_string());
-        option("--size", format!("{}x{}", scene.film.size.x, scene.film.size.y));
-        if scene.film.crop.is_some() {
-            option("--crop", crop(self.film.window));
+    fn described(&self) -> Described<'_> {
+        Described {
+            path: self.path,
+            description: self.description,
+            defines: &self.arguments.flags.define,
+            shaders: None,
+            window: self.film.window,
+            spp: self.film.spp,
+            adapter: &self.report.adapter,
         }
-        option("--camera", scene.active.clone());
-        for (setting, text) in settings(scene) {
-            if let Some(flag) = setting.flag {
-                option(&format!("--{}", flag.name), text);
-            }
-        }
-        for (key, value) in &self.arguments.flags.define {
-            option("-D", format!("{key}={value}"));
-        }
-        words.join(" ")
     }
 
     /// The report as one JSON object.
@@ -109,7 +83,7 @@ impl RenderSummary<'_> {
             "roulette": scene.render.roulette,
             "energy": scene.render.energy.variant(),
             "exposure": scene.film.exposure,
-            "repeat": self.repeat(),
+            "repeat": self.described().repeat(),
             "interrupted": self.interrupted,
             "seconds": {
                 "start": self.seconds.start,
@@ -202,26 +176,5 @@ impl RenderSummary<'_> {
             text += &format!("  {:<16} {:>8} x {:>12.3} ms\n", pass.name, pass.count, pass.milliseconds);
         }
         text
-    }
-}
-
-fn crop(window: Crop) -> String {
-    format!("{},{},{},{}", window.min.x, window.max.x, window.min.y, window.max.y)
-}
-
-/// All settings but those that a film has of its own: field, and value as its flag has it.
-pub fn settings(scene: &SceneDescription) -> impl Iterator<Item = (&'static Setting, String)> {
-    let settings = Settings { film: scene.film, render: scene.render };
-    let others = SETTINGS.iter().filter(|setting| !["spp", "size", "crop"].contains(&setting.field));
-    others.map(move |setting| (setting, setting.text(&settings)))
-}
-
-/// A word as a POSIX shell takes it.
-fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+%@".contains(c);
-    if !word.is_empty() && word.chars().all(plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', "'\\''"))
     }
 }

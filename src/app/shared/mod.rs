@@ -1,12 +1,18 @@
 //! What several commands share.
 
 pub mod compiling;
+pub(super) mod csv;
+pub(super) mod describe;
 pub(super) mod failure;
+#[cfg(feature = "flip")]
+pub(super) mod flip;
 pub(super) mod interrupt;
+pub(super) mod key;
 pub(super) mod output;
 pub(super) mod pictures;
+pub(super) mod plot;
 pub(super) mod progress;
-pub(super) mod scene;
+pub mod scene;
 pub(super) mod seconds;
 pub(super) mod settings;
 pub mod textures;

@@ -90,7 +90,7 @@ impl Meter {
     }
 
     /// Shows how many seconds shaders have been compiled for.
-    pub fn show_compiling(&self) -> impl Fn(u64) + Clone + Send + Sync + 'static {
+    pub fn show_compiling(&self) -> impl Fn(u64) + Clone + Send + Sync + use<> {
         let (bar, shown) = (self.bar.clone(), self.shown);
         move |seconds| match shown {
             Shown::Bar => bar.set_message(line(seconds)),

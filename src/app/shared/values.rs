@@ -4,6 +4,7 @@ use glam::UVec2;
 
 use crate::components::{Crop, Film};
 use crate::image::Output;
+use crate::scene::Define;
 use crate::scene::settings::MOST_STOPS;
 
 /// What ends every help text.
@@ -53,9 +54,9 @@ pub fn crop(text: &str) -> Result<Crop, String> {
 }
 
 /// `KEY=VALUE`.
-pub fn define(text: &str) -> Result<(String, String), String> {
+pub fn define(text: &str) -> Result<Define, String> {
     match text.split_once('=') {
-        Some((key, value)) if !key.is_empty() => Ok((key.to_owned(), value.to_owned())),
+        Some((key, value)) if !key.is_empty() => Ok(Define::given(key, value)),
         _ => Err("expected KEY=VALUE, such as materials.ball.ns=64".into()),
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::navigate;
-use crate::app::render::report;
+use crate::app::shared::describe;
 use crate::engine::FilmImage;
 use crate::image::{Kind, Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
@@ -43,7 +43,7 @@ fn metadata(scene: &SceneDescription, adapter: &str, film: &FilmImage) -> Vec<(&
         ("size", format!("{}x{}", film.size.x, film.size.y)),
         ("spp", film.spp.to_string()),
     ];
-    data.extend(report::settings(scene).map(|(setting, text)| (setting.field, text)));
+    data.extend(describe::settings(scene).map(|(setting, text)| (setting.field, text)));
     data.push(("adapter", adapter.to_owned()));
     data
 }

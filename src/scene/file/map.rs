@@ -6,7 +6,7 @@ use glam::Vec2;
 
 use crate::components::{Channel, Wrap};
 use crate::scene::diagnostic::{Diagnostic, Severity};
-use crate::scene::locate::{as_written, locate, near_names};
+use crate::scene::locate::{as_written, folder_of, locate, near_names, relative_to};
 use crate::scene::mtl::TextureMap;
 use crate::scene::ron::{Fields, Kind, Node, Reader};
 use crate::scene::text::missing;
@@ -27,7 +27,7 @@ pub enum MapEdit {
 /// What is given of a map.
 #[derive(Clone, Debug)]
 pub struct MapChange {
-    /// As written, then found or looked for: relative to the scene file's folder.
+    /// As written, then found or looked for: relative to the folder of the file that has it.
     file: Option<PathBuf>,
     wrap: Option<[Wrap; 2]>,
     scale: Option<Vec2>,
@@ -59,15 +59,15 @@ impl MapChange {
     }
 
     /// Finds the file. The place where it is named, as a warning without its message, and what there is to say of it.
-    fn find(&mut self, folder: &Path) -> Option<FoundMap> {
+    fn find(&mut self, scene: &Path) -> Option<FoundMap> {
+        let folder = folder_of(&self.place, scene);
         let name = self.file.as_ref()?.to_string_lossy().into_owned();
         let found = locate(folder, &name);
         let path = found.as_ref().map_or_else(|| as_written(folder, &name), |found| found.path.clone());
         let place = Diagnostic { severity: Severity::Warning, ..self.place.clone() };
         let message = match found {
             None => {
-                let help = near_names(folder, &name)
-                    .unwrap_or_else(|| "the path is relative to the folder of the scene file".to_owned());
+                let help = near_names(folder, &name).unwrap_or_else(|| relative_to(&self.place, scene));
                 Some(Diagnostic { message: missing("image", &path), ..self.place.clone() }.help(help))
             }
             Some(found) => found.differs.map(|why| {
@@ -92,10 +92,10 @@ pub struct FoundMap {
 
 impl MapEdit {
     /// Finds the file that it names, if it does.
-    pub fn find(&mut self, folder: &Path) -> Option<FoundMap> {
+    pub fn find(&mut self, scene: &Path) -> Option<FoundMap> {
         match self {
             Self::Off => None,
-            Self::On(change) => change.find(folder),
+            Self::On(change) => change.find(scene),
         }
     }
 

@@ -33,9 +33,9 @@ impl MaterialEdit {
         self.gives("illum") && self.numbers.asks_for_glass()
     }
 
-    /// Finds the files of its maps, by the scene file's folder.
-    pub fn find_maps(&mut self, folder: &Path) -> Vec<FoundMap> {
-        self.maps.iter_mut().filter_map(|(_, edit)| edit.find(folder)).collect()
+    /// Finds the files of its maps, which are relative to the file that names them.
+    pub fn find_maps(&mut self, scene: &Path) -> Vec<FoundMap> {
+        self.maps.iter_mut().filter_map(|(_, edit)| edit.find(scene)).collect()
     }
 
     /// Writes the given numbers and maps over a material's. What can't be is told.

@@ -1,5 +1,6 @@
 //! Scene files: what each field means, its range and its default.
 
+mod extend;
 mod map;
 mod material;
 
@@ -16,6 +17,7 @@ use super::turn::read_turn;
 use crate::components::{Camera, Crop, Film};
 use material::read_material;
 
+pub use extend::{Chain, is_of_family, merge, no_scene, take_extends};
 pub use material::{MaterialEntry, plain_field};
 
 /// The camera of scenes that have none.
@@ -37,7 +39,7 @@ pub struct SceneFile {
 /// One model of a scene.
 #[derive(Debug)]
 pub struct ModelEntry {
-    /// As written: relative to the scene file's folder.
+    /// As written: relative to the folder of the file that has it.
     pub path: String,
     /// First part of its meshes' names; the file's stem where it isn't given.
     pub name: Option<String>,
@@ -46,14 +48,21 @@ pub struct ModelEntry {
     pub place: Diagnostic,
 }
 
+/// The fields of a whole file, which may be named: `Scene(..)`.
+pub fn scene_fields(root: Node) -> Node {
+    match root.kind {
+        Kind::Variant("Scene", Some(inner)) => *inner,
+        _ => root,
+    }
+}
+
 /// Types a tree; what is wrong goes to the reader, and the rest has its defaults.
 pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
     let mut file = SceneFile::default();
-    let inner = match &root.kind {
-        Kind::Variant("Scene", Some(inner)) => inner,
-        _ => root,
-    };
-    let Some(fields) = Fields::open(reader, inner, "") else { return file };
+    let Some(fields) = Fields::open(reader, root, "") else { return file };
+    if let Some(node) = fields.get("extends") {
+        reader.error(node, "extends", "which file is extended can't be changed: extend another one in a scene file");
+    }
     if let Some(node) = fields.get("models") {
         file.models = read_list(reader, node, "models", read_model);
     }
@@ -106,7 +115,7 @@ fn read_list<T>(reader: &Reader, node: &Node, path: &str, read: impl Fn(&Reader,
     }
 }
 
-/// The entries of a map, those that are right.
+/// The entries of a map, those that are right. `None` takes away what the file that is extended has.
 fn read_map<T>(
     reader: &Reader,
     node: &Node,
@@ -116,6 +125,7 @@ fn read_map<T>(
     match node.fields() {
         Ok(fields) => fields
             .iter()
+            .filter(|(.., node)| !matches!(node.kind, Kind::Variant("None", None)))
             .filter_map(|(name, _, node)| Some((name.clone(), read(reader, node, &format!("{path}.{name}"))?)))
             .collect(),
         Err(message) => {
@@ -128,7 +138,8 @@ fn read_map<T>(
 /// `(path: "..", name: "..", transform: (..))`
 fn read_model(reader: &Reader, node: &Node, path: &str) -> Option<ModelEntry> {
     let fields = Fields::open(reader, node, path)?;
-    let place = node.text.error(fields.get("path").map_or(node.source, |path| path.source), "");
+    let named = fields.get("path").unwrap_or(node);
+    let place = named.text.error(named.source, "");
     let file = fields.require("path", |node| match node.string()? {
         path if path.is_empty() => Err("expected the path of an .obj file, found an empty string".into()),
         path => Ok(path),

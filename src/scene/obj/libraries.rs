@@ -5,6 +5,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::faces::Group;
+use crate::scene::assets::Assets;
 use crate::scene::diagnostic::{Diagnostic, Diagnostics};
 use crate::scene::locate::{Located, as_written, file_names, locate};
 use crate::scene::mtl::{MtlMaterial, read_mtl};
@@ -21,8 +22,8 @@ pub struct Statement {
 }
 
 /// The materials of a model's libraries.
-#[derive(Default)]
-pub struct Libraries {
+pub struct Libraries<'s> {
+    assets: &'s Assets,
     pub materials: BTreeMap<String, MtlMaterial>,
     /// By the files that maps name: the first statement that does, as a warning without its message.
     pub map_places: BTreeMap<PathBuf, Diagnostic>,
@@ -36,17 +37,24 @@ const MAX_WORDS: usize = 64;
 /// Libraries that the statements of a file may name, in all.
 pub const MAX_LIBRARIES: usize = 1024;
 
-impl Libraries {
+impl<'s> Libraries<'s> {
     /// Reads what the statements name. Where nothing of that is there, and `groups` use materials: the library of the OBJ file's own
     /// name. `files` gets all that was read or looked for.
     pub fn read(
         obj: &Path,
         statements: &[Statement],
         groups: &[Group],
+        assets: &'s Assets,
         diagnostics: &mut Diagnostics,
         files: &mut Vec<PathBuf>,
     ) -> Self {
-        let mut this = Self::default();
+        let mut this = Self {
+            assets,
+            materials: BTreeMap::new(),
+            map_places: BTreeMap::new(),
+            read: BTreeSet::new(),
+            missing: false,
+        };
         let folder = obj.parent().unwrap_or(Path::new(""));
         let mut count = 0;
         for statement in statements {
@@ -113,12 +121,18 @@ impl Libraries {
             return;
         }
         files.push(path.clone());
-        let library = read_mtl(&path, diagnostics).unwrap_or_default();
-        for (file, place) in library.map_places {
-            self.map_places.entry(file).or_insert(place);
+        let read = self.assets.library(&path, || {
+            let mut messages = Diagnostics::default();
+            (read_mtl(&path, &mut messages), messages)
+        });
+        let (library, messages) = &*read;
+        diagnostics.list.extend(messages.list.iter().cloned());
+        let Some(library) = library else { return };
+        for (file, place) in &library.map_places {
+            self.map_places.entry(file.clone()).or_insert_with(|| place.clone());
         }
-        for (name, material) in library.materials {
-            self.materials.entry(name).or_insert(material);
+        for (name, material) in &library.materials {
+            self.materials.entry(name.clone()).or_insert_with(|| material.clone());
         }
     }
 }

@@ -15,6 +15,7 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::assets::Assets;
 use super::bounds::Bounds;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::model::{DEFAULT_MATERIAL, Imported, Model, ModelMesh};
@@ -31,13 +32,13 @@ pub use statements::is_statement;
 const LIMIT: u64 = 4 << 30;
 
 /// Reads an OBJ file and the MTL files it names: a mesh for each object and material.
-pub fn read_obj(file: &Path) -> Imported {
+pub fn read_obj(file: &Path, assets: &Assets) -> Imported {
     let mut imported = Imported::default();
-    imported.model = read(file, &mut imported.messages, &mut imported.files);
+    imported.model = read(file, assets, &mut imported.messages, &mut imported.files);
     imported
 }
 
-fn read(file: &Path, diagnostics: &mut Diagnostics, files: &mut Vec<PathBuf>) -> Option<Model> {
+fn read(file: &Path, assets: &Assets, diagnostics: &mut Diagnostics, files: &mut Vec<PathBuf>) -> Option<Model> {
     files.push(file.to_path_buf());
     let handle = text::open(file, LIMIT).map_err(|error| diagnostics.push(error)).ok()?;
     let mut scanner = Scanner::new(BufReader::with_capacity(1 << 18, handle), file);
@@ -46,7 +47,7 @@ fn read(file: &Path, diagnostics: &mut Diagnostics, files: &mut Vec<PathBuf>) ->
     // tobj is shown no libraries.
     let models = tobj::load_obj_buf(&mut scanner, &options, |_| Ok(Default::default()));
     let Scanned { messages, groups, libraries } = scanner.finish();
-    let libraries = Libraries::read(file, &libraries, &groups, diagnostics, files);
+    let libraries = Libraries::read(file, &libraries, &groups, assets, diagnostics, files);
     let broken = messages.has_errors();
     diagnostics.list.extend(messages);
     match models {

@@ -1,14 +1,18 @@
-//! Defines of the command line: `materials.teapot.ns=64` changes one value of the tree before it is typed.
+//! Changes of single values: `materials.teapot.ns=64` changes one of the tree before it is typed.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use super::tree::{Kind, MAX_DEPTH, Node, parse_slice};
+use crate::scene::define::{Define, Written};
 use crate::scene::diagnostic::Diagnostic;
 use crate::scene::text::Text;
 
-/// The texts `path=value` that a scene's defines are read from and reported in.
-pub fn define_texts(defines: &[(String, String)]) -> Vec<Text> {
-    let text = |(path, value): &(String, String)| Text { file: PathBuf::from("-D"), text: format!("{path}={value}") };
+/// The texts `path=value` that a scene's defines are read from, and reported where they are written.
+pub fn define_texts(defines: &[Define]) -> Vec<Text> {
+    let text = |define: &Define| match &define.written {
+        Written::CommandLine => Text::new(Path::new("-D"), format!("{}={}", define.path, define.value)),
+        Written::File { path, value } => Text::change(&define.path, &define.value, path, value),
+    };
     defines.iter().map(text).collect()
 }
 
@@ -18,22 +22,27 @@ pub fn define_texts(defines: &[(String, String)]) -> Vec<Text> {
 /// `plain` says which field a plain value at a path stands for, if any: it becomes that when another field is set beside it.
 pub fn apply_defines<'a>(
     root: &mut Node<'a>,
-    defines: &[(String, String)],
+    defines: &[Define],
     texts: &'a [Text],
     plain: PlainField,
 ) -> Result<(), Diagnostic> {
-    for ((path, _), text) in defines.iter().zip(texts) {
-        let (path, value) = text.text.split_at(path.len());
+    for (define, text) in defines.iter().zip(texts) {
+        let (path, value) = text.text.split_at(define.path.len());
+        let about = |path, error| about(define, path, error);
         let value = parse_slice(text, &value[1..]).map_err(|error| about(path, unquoted(&value[1..], error)))?;
         let segments = segments(text, path)?;
-        set(root, &Define { text, path: &segments, plain }, 0, value).map_err(|error| about(path, error))?;
+        set(root, &Change { text, path: &segments, plain }, 0, value).map_err(|error| about(path, error))?;
     }
     Ok(())
 }
 
 /// Says which define an error is about.
-fn about(path: &str, error: Diagnostic) -> Diagnostic {
-    Diagnostic { message: format!("in the define `{path}`: {}", error.message), ..error }
+fn about(define: &Define, path: &str, error: Diagnostic) -> Diagnostic {
+    let what = match define.written {
+        Written::CommandLine => "in the define",
+        Written::File { .. } => "in the change of",
+    };
+    Diagnostic { message: format!("{what} `{path}`: {}", error.message), ..error }
 }
 
 /// Adds how a text is written, where a value may be one without its quotes, which a shell takes away.
@@ -77,21 +86,21 @@ fn segments<'a>(text: &'a Text, path: &'a str) -> Result<Vec<&'a str>, Diagnosti
 type PlainField = fn(&[&str]) -> Option<&'static str>;
 
 /// A define that is being applied.
-struct Define<'d, 'a> {
+struct Change<'d, 'a> {
     text: &'a Text,
     path: &'d [&'a str],
     plain: PlainField,
 }
 
 /// Puts `value` at the path's parts from `depth` on, below `node`; fields that are not there are added, items must be.
-fn set<'a>(node: &mut Node<'a>, define: &Define<'_, 'a>, depth: usize, value: Node<'a>) -> Result<(), Diagnostic> {
-    let Define { text, path, plain } = *define;
+fn set<'a>(node: &mut Node<'a>, change: &Change<'_, 'a>, depth: usize, value: Node<'a>) -> Result<(), Diagnostic> {
+    let Change { text, path, plain } = *change;
     let Some(segment) = path.get(depth).copied() else {
         *node = value;
         return Ok(());
     };
     if let Kind::Variant(_, Some(content)) = &mut node.kind {
-        return set(content, define, depth, value);
+        return set(content, change, depth, value);
     }
     if matches!(&node.kind, Kind::Items(items) if items.is_empty()) {
         node.kind = Kind::Fields(Vec::new());
@@ -106,12 +115,12 @@ fn set<'a>(node: &mut Node<'a>, define: &Define<'_, 'a>, depth: usize, value: No
                 fields.push((segment.to_owned(), segment, empty));
                 fields.len() - 1
             });
-            set(&mut fields[at].2, define, depth + 1, value)
+            set(&mut fields[at].2, change, depth + 1, value)
         }
         Kind::Items(items) => {
             let count = items.len();
             match segment.parse::<usize>().ok().and_then(|at| items.get_mut(at)) {
-                Some(item) => set(item, define, depth + 1, value),
+                Some(item) => set(item, change, depth + 1, value),
                 None => Err(text.error(segment, format!("`{segment}` is none of the items 0 to {}", count - 1))),
             }
         }

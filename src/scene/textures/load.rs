@@ -13,6 +13,7 @@ use super::{budget, reading};
 use crate::components::{Reading, Texture};
 use crate::files::Stamp;
 use crate::image::{Codes, Fault, ReadError, TextureFile};
+use crate::scene::assets::Assets;
 use crate::scene::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::scene::mtl::TextureMap;
 
@@ -42,13 +43,26 @@ pub struct Textures {
     pub messages: Diagnostics,
     /// Every file that a map names.
     pub files: Vec<PathBuf>,
+    /// Those of them that are cut short.
+    pub unfinished: Vec<PathBuf>,
+}
+
+impl Textures {
+    /// Says why there is no texture.
+    fn refuse(&mut self, error: &ReadError, place: Diagnostic) {
+        if matches!(error.fault, Fault::CutShort) {
+            self.unfinished.push(error.path.clone());
+        }
+        self.messages.push(refusal(error, place));
+    }
 }
 
 /// One file, whatever paths lead to it.
 struct Source {
     /// As a map names it first.
     path: PathBuf,
-    stamp: Stamp,
+    /// None where the picture is held already.
+    stamp: Option<Stamp>,
     /// The file may be written again without another stamp: its picture is not to be taken for that of the next load.
     young: bool,
     header: Header,
@@ -62,6 +76,7 @@ pub fn load<'m>(
     maps: impl IntoIterator<Item = (&'m TextureMap, MapUse)>,
     place: &dyn Fn(&Path) -> Diagnostic,
     loading: &Loading,
+    assets: &Assets,
 ) -> Textures {
     let mut result = Textures::default();
     let maps: BTreeMap<String, (&TextureMap, MapUse)> =
@@ -74,9 +89,9 @@ pub fn load<'m>(
             // That a file is missing, or is none, was told where it is named.
             let real = map.file.canonicalize().ok().filter(|real| real.is_file())?;
             if !sources.contains_key(&real) {
-                match open(&map.file, &real) {
+                match open(&map.file, &real, assets) {
                     Ok(source) => drop(sources.insert(real.clone(), source)),
-                    Err(error) => result.messages.push(refusal(&error, place(&map.file))),
+                    Err(error) => result.refuse(&error, place(&map.file)),
                 }
             }
             sources.contains_key(&real).then_some(real)
@@ -87,7 +102,7 @@ pub fn load<'m>(
             source.codes = Codes::Srgb;
         }
     }
-    let pictures = pictures(sources, place, loading, &mut result.messages);
+    let pictures = pictures(sources, place, loading, assets, &mut result);
     for (name, (map, used)) in maps {
         let real = paths.get(map.file.as_path()).and_then(Option::as_ref);
         if let Some(picture) = real.and_then(|real| pictures.get(real)) {
@@ -101,8 +116,12 @@ pub fn load<'m>(
     result
 }
 
-/// A file as it is now.
-fn open(path: &Path, real: &Path) -> Result<Source, ReadError> {
+/// A file as it is held, or as it is now.
+fn open(path: &Path, real: &Path, assets: &Assets) -> Result<Source, ReadError> {
+    if let Some(Picture { facts, .. }) = assets.any_picture(real) {
+        let (path, header) = (path.to_path_buf(), facts.header);
+        return Ok(Source { path, stamp: None, young: false, header, file: None, codes: Codes::Linear });
+    }
     let stamp = Stamp::of(path);
     let young = stamp.as_ref().is_ok_and(Stamp::is_young);
     let (header, file) = match stamp.as_ref().ok().and_then(|stamp| cache::header(real, stamp)) {
@@ -113,7 +132,7 @@ fn open(path: &Path, real: &Path) -> Result<Source, ReadError> {
         }
     };
     let stamp = stamp.map_err(|error| ReadError { path: path.to_path_buf(), fault: Fault::Open(error) })?;
-    Ok(Source { path: path.to_path_buf(), stamp, young, header, file, codes: Codes::Linear })
+    Ok(Source { path: path.to_path_buf(), stamp: Some(stamp), young, header, file, codes: Codes::Linear })
 }
 
 /// The pictures of files, from the cache or decoded, small enough together.
@@ -121,7 +140,8 @@ fn pictures(
     sources: BTreeMap<PathBuf, Source>,
     place: &dyn Fn(&Path) -> Diagnostic,
     loading: &Loading,
-    messages: &mut Diagnostics,
+    assets: &Assets,
+    result: &mut Textures,
 ) -> BTreeMap<PathBuf, Picture> {
     let bytes: Vec<u64> = sources.values().map(|source| source.header.bytes).collect();
     let halvings = budget::halvings(&bytes, loading.texture_bytes);
@@ -129,32 +149,38 @@ fn pictures(
     for ((real, source), halvings) in sources.into_iter().zip(halvings) {
         let Source { path, stamp, young, file, codes, .. } = source;
         let reduction = Reduction { halvings, codes };
-        if let Some(picture) = cache::find(&real, &stamp, reduction) {
+        if let Some(picture) = assets.picture(&real, reduction) {
+            pictures.insert(real, (path, codes, picture));
+            continue;
+        }
+        if let Some(picture) = stamp.as_ref().and_then(|stamp| cache::find(&real, stamp, reduction)) {
+            assets.keep_picture(&real, stamp.as_ref(), &picture, false);
             pictures.insert(real, (path, codes, picture));
             continue;
         }
         match file.map_or_else(|| TextureFile::open(&path), Ok) {
             Ok(file) => {
                 jobs.push(Job { file, reduction });
-                waiting.push((real, path, Some(stamp).filter(|_| !young), codes));
+                waiting.push((real, path, stamp.filter(|_| !young), codes));
             }
-            Err(error) => messages.push(refusal(&error, place(&path))),
+            Err(error) => result.refuse(&error, place(&path)),
         }
     }
     for ((real, path, stamp, codes), picture) in waiting.into_iter().zip(decode(jobs, loading.tell)) {
         match picture {
             Ok(picture) => {
-                if let Some(stamp) = stamp {
-                    cache::keep(&real, &stamp, &picture);
+                if let Some(stamp) = &stamp {
+                    cache::keep(&real, stamp, &picture);
                 }
+                assets.keep_picture(&real, stamp.as_ref(), &picture, true);
                 pictures.insert(real, (path, codes, picture));
             }
-            Err(error) => messages.push(refusal(&error, place(&path))),
+            Err(error) => result.refuse(&error, place(&path)),
         }
     }
     let told = |(real, (path, codes, picture)): (PathBuf, (PathBuf, Codes, Picture))| {
         let texts = texts(&picture, codes, loading.texture_bytes);
-        messages.list.extend(texts.iter().map(|text| warning(place(&path), &path, text)));
+        result.messages.list.extend(texts.iter().map(|text| warning(place(&path), &path, text)));
         (real, picture)
     };
     pictures.into_iter().map(told).collect()

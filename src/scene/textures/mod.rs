@@ -14,3 +14,4 @@ mod relief;
 
 pub use load::{Loading, load};
 pub use name::{MapUse, name};
+pub use picture::{Picture, Reduction};

@@ -1,47 +1,9 @@
 //! Numbers that stand for all that a picture depends on.
 
-use std::fmt::{self, Write};
-
-use crate::components::{Integrator, Render, Sampler};
+use crate::app::shared::key::{hash, scene_key};
 use crate::passes::trace::PATH;
 use crate::scene::SceneDescription;
 use crate::shader::{Library, ShaderError};
-
-/// Fowler, Noll and Vo's hash FNV-1a, 64 bits: the same on every machine and by every compiler.
-struct Fnv(u64);
-
-impl Fnv {
-    fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-}
-
-impl Write for Fnv {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        for byte in text.bytes() {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-        Ok(())
-    }
-}
-
-fn hash(of: impl fmt::Debug) -> u64 {
-    let mut fnv = Fnv::new();
-    write!(fnv, "{of:?}").expect("invariant: a hash takes any text");
-    fnv.0
-}
-
-/// Of the picture that every unbiased estimate of a scene tends to: all of the description but its name, the exposure,
-/// and how light is estimated.
-pub fn scene_key(description: &SceneDescription) -> String {
-    let mut plain = description.clone();
-    plain.name.clear();
-    plain.film.exposure = 0.0;
-    let (integrator, sampler) = (Integrator::Path, Sampler::Pcg);
-    plain.render = Render { integrator, sampler, roulette: false, seed: 0, spp: 1, ..plain.render };
-    // Numbers are written so that they read back to the same bits.
-    format!("{:016x}", hash(plain))
-}
 
 /// Of the scene, and of the shaders that trace it.
 pub fn reference_key(description: &SceneDescription, library: &Library) -> Result<String, ShaderError> {

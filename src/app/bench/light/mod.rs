@@ -22,6 +22,7 @@ pub use arguments::LightArguments;
 use super::BenchError;
 use crate::app::shared::failure::show;
 use crate::app::shared::interrupt::Interrupt;
+use crate::app::shared::key::scene_key;
 use crate::app::shared::output;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::tracer::{Monitor, Tracer};
@@ -163,7 +164,7 @@ fn measure_scene(
         size: description.film.window().size().to_array(),
         max_depth: description.render.max_depth,
         triangles: 0,
-        key: key::scene_key(&description),
+        key: scene_key(&description),
         reference: reference.record.clone(),
         configurations: Vec::new(),
     });

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::record::{Bench, ConfigurationRecord, SceneRecord, SnapshotSummary};
+use crate::app::shared::csv::field;
 use crate::stats::summary::{Crossing, Summary};
 
 /// A row a snapshot of every seed. Where there is no number, the field is empty.
@@ -30,14 +31,6 @@ pub fn csv(bench: &Bench) -> String {
         }
     }
     text
-}
-
-/// A field of CSV (RFC 4180).
-fn field(text: &str) -> String {
-    match text.contains(['"', ',', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
-    }
 }
 
 /// Two tables: each configuration at its last snapshot, and all snapshots.

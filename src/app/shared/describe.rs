@@ -1,0 +1,92 @@
+//! What a film was rendered with: for the metadata of its files, and as a command line that gives it again.
+
+use std::path::Path;
+
+use crate::components::Crop;
+use crate::scene::settings::{SETTINGS, Setting, Settings};
+use crate::scene::{Define, SceneDescription};
+
+/// A film, by all that it follows from.
+#[derive(Clone, Copy, Debug)]
+pub struct Described<'a> {
+    /// The scene file.
+    pub path: &'a Path,
+    /// As it was rendered.
+    pub description: &'a SceneDescription,
+    pub defines: &'a [Define],
+    /// The folder of shaders, where it is to be told.
+    pub shaders: Option<&'a Path>,
+    /// The rendered part.
+    pub window: Crop,
+    /// Samples that every pixel has.
+    pub spp: u32,
+    pub adapter: &'a str,
+}
+
+impl Described<'_> {
+    /// What is needed to repeat the render. Nothing in it differs between equal renders on one machine.
+    pub fn metadata(&self) -> Vec<(&'static str, String)> {
+        let scene = self.description;
+        let defines: Vec<String> =
+            self.defines.iter().map(|define| format!("{}={}", define.path, define.value)).collect();
+        let mut data = vec![
+            ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
+            ("scene", self.path.display().to_string()),
+            ("defines", defines.join("; ")),
+            ("camera", scene.active.clone()),
+            ("size", format!("{}x{}", scene.film.size.x, scene.film.size.y)),
+            ("crop", crop(self.window)),
+            ("spp", self.spp.to_string()),
+        ];
+        data.extend(settings(scene).map(|(setting, text)| (setting.field, text)));
+        data.extend([("adapter", self.adapter.to_owned()), ("repeat", self.repeat())]);
+        data
+    }
+
+    /// A command line that gives the same film again.
+    pub fn repeat(&self) -> String {
+        let scene = self.description;
+        let mut words = vec!["lucerna".to_owned(), "render".to_owned(), quoted(&self.path.display().to_string())];
+        let mut option = |name: &str, value: String| words.extend([name.to_owned(), quoted(&value)]);
+        // Interrupted within the first sample, there is none to be had again that is whole.
+        option("--spp", self.spp.max(1).to_string());
+        option("--size", format!("{}x{}", scene.film.size.x, scene.film.size.y));
+        if scene.film.crop.is_some() {
+            option("--crop", crop(self.window));
+        }
+        option("--camera", scene.active.clone());
+        for (setting, text) in settings(scene) {
+            if let Some(flag) = setting.flag {
+                option(&format!("--{}", flag.name), text);
+            }
+        }
+        for Define { path, value, .. } in self.defines {
+            option("-D", format!("{path}={value}"));
+        }
+        if let Some(folder) = self.shaders {
+            option("--shaders", folder.display().to_string());
+        }
+        words.join(" ")
+    }
+}
+
+/// All settings but those that a film has of its own: field, and value as its flag has it.
+pub fn settings(scene: &SceneDescription) -> impl Iterator<Item = (&'static Setting, String)> {
+    let settings = Settings { film: scene.film, render: scene.render };
+    let others = SETTINGS.iter().filter(|setting| !["spp", "size", "crop"].contains(&setting.field));
+    others.map(move |setting| (setting, setting.text(&settings)))
+}
+
+/// A word as a POSIX shell takes it.
+pub fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+%@".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', "'\\''"))
+    }
+}
+
+fn crop(window: Crop) -> String {
+    format!("{},{},{},{}", window.min.x, window.max.x, window.min.y, window.max.y)
+}

@@ -1,0 +1,33 @@
+//! Records of members of which nothing was traced.
+
+use super::record::{Record, State, Work};
+use super::survey::Subject;
+use crate::scene::variants::Member;
+
+/// Of a member that could be rendered.
+pub fn blank(subject: &Subject) -> Record {
+    Record { key: subject.key.clone(), ..missing(&subject.member) }
+}
+
+/// Of a member without a key.
+pub fn missing(member: &Member) -> Record {
+    let mut settings: Vec<(String, String)> =
+        member.defines.iter().map(|define| (define.path.clone(), define.value.clone())).collect();
+    settings.extend(member.shaders.iter().map(|folder| ("shaders".to_owned(), folder.display().to_string())));
+    settings.extend(member.values.iter().map(|(name, value)| (format!("shader.{name}"), value.clone())));
+    Record {
+        name: member.name.clone(),
+        key: String::new(),
+        at: member.at.clone(),
+        settings,
+        state: State::Missing,
+        snapshots: Vec::new(),
+        mean: [0.0; 3],
+        bad_samples: 0,
+        adapter: String::new(),
+        film_of: None,
+        against: None,
+        work: Work::default(),
+        repeat: String::new(),
+    }
+}

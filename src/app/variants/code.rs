@@ -1,0 +1,66 @@
+//! The shaders of members: each folder is read once.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use crate::scene::variants::Member;
+use crate::shader::{Library, ShaderError};
+
+/// Of a folder, and the values of its `override`s.
+type Wanted = (Option<PathBuf>, BTreeMap<String, String>);
+
+/// Every library that a member wants, by number.
+pub struct Codes {
+    /// Of members that have no folder of their own; `None` are the built-in ones.
+    folder: Option<PathBuf>,
+    folders: BTreeMap<Option<PathBuf>, Result<Library, ShaderError>>,
+    numbers: BTreeMap<Wanted, usize>,
+    libraries: Vec<Library>,
+}
+
+impl Codes {
+    /// `folder` is for those that have none of their own.
+    pub fn new(folder: Option<&Path>) -> Self {
+        let folder =
+            folder.map_or_else(|| Library::local_folder().map(Path::to_path_buf), |folder| Some(folder.to_path_buf()));
+        Self { folder, folders: BTreeMap::new(), numbers: BTreeMap::new(), libraries: Vec::new() }
+    }
+
+    /// The number of a member's shaders, or what is wrong with them.
+    pub fn number(&mut self, member: &Member) -> Result<usize, String> {
+        let wanted = (member.shaders.clone(), member.values.clone());
+        if let Some(number) = self.numbers.get(&wanted) {
+            return Ok(*number);
+        }
+        let mut library = self.opened(self.folder.clone())?;
+        if let Some(folder) = &member.shaders {
+            library = self.opened(Some(folder.clone()))?.laid_over(&library);
+        }
+        let library = library.with_values(&member.values).map_err(|error| error.to_string())?;
+        // Another folder of the same files is the same code.
+        let known = self.libraries.iter().position(|known| known.is_same(&library));
+        let number = known.unwrap_or(self.libraries.len());
+        if known.is_none() {
+            self.libraries.push(library);
+        }
+        self.numbers.insert(wanted, number);
+        Ok(number)
+    }
+
+    /// A folder as it is by itself; the built-in shaders without one.
+    fn opened(&mut self, folder: Option<PathBuf>) -> Result<Library, String> {
+        let read = || folder.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open);
+        let library = self.folders.entry(folder.clone()).or_insert_with(read);
+        library.clone().map_err(|error| error.to_string())
+    }
+
+    /// The library of a number.
+    pub fn library(&self, number: usize) -> &Library {
+        &self.libraries[number]
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.libraries.len()
+    }
+}

@@ -1,0 +1,229 @@
+//! Renders what is wanted, on one adapter or on several at once.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::blank::blank;
+use super::record::{Record, State};
+use super::shelf::Shelf;
+use super::stage::Stage;
+use super::survey::{Subject, Survey};
+use super::trace::{Traced, retake, trace};
+use super::watcher::Watcher;
+use crate::app::shared::describe::{Described, quoted};
+use crate::components::Render;
+use crate::engine::{EngineError, FilmImage};
+use crate::gpu::{Gpu, GpuError};
+use crate::image::SaveError;
+use crate::scene::variants::Family;
+
+/// Where results go.
+pub trait Board: Sync {
+    /// A film is done, or failed. Its files are on the shelf.
+    fn put(&self, index: usize, record: Record);
+    /// Its files can't be written.
+    fn unwritten(&self, error: SaveError);
+}
+
+/// What there is to do.
+pub struct Plan<'p> {
+    pub family: &'p Family,
+    pub survey: &'p Survey,
+    /// Films that are wanted and not on the shelf, in the order that shares the most.
+    pub order: Vec<usize>,
+    pub shelf: &'p Shelf,
+    pub watcher: &'p Watcher,
+}
+
+/// Parts of the order, for threads to take: members of one tree, but for more threads than there are such.
+struct Queue {
+    parts: Mutex<VecDeque<Vec<usize>>>,
+    of: usize,
+}
+
+impl Queue {
+    fn new(plan: &Plan, threads: usize) -> Self {
+        let tree = |index: &usize| plan.survey.found[*index].as_ref().map(|subject| subject.keys.geometry).ok();
+        let mut parts: Vec<Vec<usize>> =
+            plan.order.chunk_by(|a, b| threads == 1 || tree(a) == tree(b)).map(<[usize]>::to_vec).collect();
+        while parts.len() < threads {
+            let Some(longest) = (0..parts.len()).max_by_key(|part| parts[*part].len()) else { break };
+            let half = parts[longest].len() / 2;
+            if half == 0 {
+                break;
+            }
+            let at = parts[longest].len() - half;
+            let rest = parts[longest].split_off(at);
+            parts.insert(longest + 1, rest);
+        }
+        Self { parts: Mutex::new(parts.into()), of: plan.order.len() }
+    }
+
+    /// The next part.
+    fn take(&self) -> Option<Vec<usize>> {
+        self.parts.lock().unwrap_or_else(PoisonError::into_inner).pop_front()
+    }
+}
+
+/// Renders all that is wanted on some adapters, by their numbers; on the one that is chosen by default where there are none. An error is one
+/// of a device that can't be opened: all else is a member's.
+pub fn run(plan: &Plan, adapters: &[usize], board: &dyn Board) -> Result<(), GpuError> {
+    if plan.order.is_empty() {
+        return Ok(());
+    }
+    let queue = Queue::new(plan, adapters.len().max(1));
+    let begun = Mutex::new(0);
+    if adapters.is_empty() {
+        return work(plan, &queue, &begun, &Gpu::open, board);
+    }
+    std::thread::scope(|scope| {
+        let (queue, begun) = (&queue, &begun);
+        let threads: Vec<_> = adapters
+            .iter()
+            .map(|number| scope.spawn(move || work(plan, queue, begun, &|| Gpu::open_number(*number), board)))
+            .collect();
+        // All are waited for; the first error is told.
+        let ends: Vec<_> = threads.into_iter().map(|thread| thread.join().unwrap_or(Ok(()))).collect();
+        ends.into_iter().collect()
+    })
+}
+
+/// Takes parts until there are none.
+fn work(
+    plan: &Plan,
+    queue: &Queue,
+    begun: &Mutex<usize>,
+    open: &dyn Fn() -> Result<Arc<Gpu>, GpuError>,
+    board: &dyn Board,
+) -> Result<(), GpuError> {
+    let mut gpu = open()?;
+    let mut stage: Option<Stage> = None;
+    while let Some(part) = queue.take() {
+        let mut previous: Option<(&Subject, Record)> = None;
+        for index in part {
+            let Ok(subject) = &plan.survey.found[index] else { continue };
+            if plan.watcher.interrupt.requested() {
+                return Ok(());
+            }
+            let number = {
+                let mut begun = begun.lock().unwrap_or_else(PoisonError::into_inner);
+                *begun += 1;
+                *begun
+            };
+            plan.watcher.begin(&subject.member.name, number, queue.of);
+            let before = previous.take();
+            let mut made = member(plan, &gpu, &mut stage, subject, before.as_ref());
+            if let Err(EngineError::Gpu(GpuError::Lost { .. })) = made {
+                // On a device of its own, once more.
+                stage = None;
+                gpu = open()?;
+                made = member(plan, &gpu, &mut stage, subject, None);
+            }
+            match made {
+                Ok(None) => return Ok(()),
+                Ok(Some((record, traced, metadata))) => match plan.shelf.keep(subject, &record, &traced, &metadata) {
+                    Ok(()) => {
+                        plan.watcher.interrupt.hold();
+                        board.put(index, record.clone());
+                        previous = Some((subject, record));
+                    }
+                    Err(error) => board.unwritten(error),
+                },
+                Err(error) => board.put(index, failed(plan.family, subject, &error)),
+            }
+            plan.watcher.end();
+        }
+    }
+    Ok(())
+}
+
+type Made = (Record, FilmImage, Vec<(&'static str, String)>);
+
+/// Renders a member after another one; none after a signal.
+fn member(
+    plan: &Plan,
+    gpu: &Arc<Gpu>,
+    stage: &mut Option<Stage>,
+    subject: &Subject,
+    before: Option<&(&Subject, Record)>,
+) -> Result<Option<Made>, EngineError> {
+    let codes = &plan.survey.codes;
+    if stage.is_none() {
+        let mut opened = Stage::open(gpu.clone(), codes, subject)?;
+        opened.engine.on_compiling(plan.watcher.compiling());
+        *stage = Some(opened);
+    }
+    let Some(stage) = stage else { return Ok(None) };
+    let tally = stage.tally();
+    let render = subject.description.render;
+    let alike = before.filter(|(other, _)| other.keys.shares_film(&subject.keys));
+    let same = alike.filter(|(other, _)| other.goal == subject.goal);
+    let mut taken = None;
+    if let Some((other, record)) = same
+        && let Some(last) = record.snapshots.last()
+    {
+        stage.put(codes, subject, Render { spp: last.spp, ..render })?;
+        let name = record.film_of.clone().unwrap_or_else(|| other.member.name.clone());
+        taken = retake(stage, &tally)?
+            .map(|(film, bad_samples)| (Traced { film, snapshots: record.snapshots.clone(), bad_samples }, Some(name)));
+    }
+    let (traced, film_of) = match taken {
+        Some(taken) => taken,
+        None => {
+            stage.put(codes, subject, render)?;
+            let Some(traced) = trace(stage, render, &subject.goal, plan.watcher)? else { return Ok(None) };
+            let went_on = alike.filter(|_| !stage.began(&tally));
+            (traced, went_on.map(|(other, _)| other.member.name.clone()))
+        }
+    };
+    let described = Described {
+        path: &plan.family.scene,
+        description: &subject.description,
+        defines: &subject.member.defines,
+        shaders: subject.member.shaders.as_deref(),
+        window: traced.film.window,
+        spp: traced.film.spp,
+        adapter: &stage.adapter,
+    };
+    let record = Record {
+        state: State::Done,
+        snapshots: traced.snapshots,
+        mean: traced.film.mean,
+        bad_samples: traced.bad_samples,
+        adapter: stage.adapter.clone(),
+        film_of,
+        work: stage.work(&tally, subject.read),
+        repeat: repeat(plan.family, subject, &described),
+        ..blank(subject)
+    };
+    Ok(Some((record, traced.film, described.metadata())))
+}
+
+/// The command that renders a member alone. `render` sets no values of shaders, and takes folders that are whole.
+fn repeat(family: &Family, subject: &Subject, described: &Described) -> String {
+    match subject.member.values.is_empty() && subject.member.shaders.is_none() {
+        true => described.repeat(),
+        false => {
+            let [file, name] = [&family.path.display().to_string(), &subject.member.name].map(|word| quoted(word));
+            format!("lucerna variants {file} --only {name}")
+        }
+    }
+}
+
+/// A member that broke while it was rendered.
+fn failed(family: &Family, subject: &Subject, error: &EngineError) -> Record {
+    let place = &subject.member.place;
+    let state = State::Failed {
+        message: error.to_string(),
+        file: Some(family.path.display().to_string()),
+        line: place.line,
+        column: place.column,
+    };
+    Record { state, ..blank(subject) }
+}
+
+/// Samples of all pixels that a film is expected to have.
+pub fn samples(subject: &Subject) -> u64 {
+    let size = subject.description.film.window().size();
+    u64::from(size.x) * u64::from(size.y) * u64::from(subject.description.render.spp)
+}

@@ -1,0 +1,105 @@
+//! A scene file, and those that it extends, read and typed.
+
+use std::path::{Path, PathBuf};
+
+use glam::DAffine3;
+
+use super::assets::Assets;
+use super::define::Define;
+use super::diagnostic::{Diagnostic, Diagnostics, Severity};
+use super::file::{
+    Chain, ModelEntry, SceneFile, is_of_family, merge, no_scene, plain_field, read_scene, scene_fields, take_extends,
+};
+use super::kind::Kind;
+use super::ron::{Node, Reader, apply_defines, define_texts, parse};
+use super::text::Text;
+
+/// Bytes that a scene file may have.
+pub const SCENE_LIMIT: u64 = 4 << 20;
+
+/// Where files are read, and what comes of it beside the scene.
+pub struct Reading<'r> {
+    pub assets: &'r Assets,
+    /// Gets every file that is read or looked for.
+    pub files: &'r mut Vec<PathBuf>,
+    pub diagnostics: &'r mut Diagnostics,
+}
+
+impl Reading<'_> {
+    /// Reads and types a scene file; for an OBJ file, the scene that holds it alone.
+    pub fn scene(&mut self, scene: &Path, defines: &[Define]) -> Option<SceneFile> {
+        let file = self.try_scene(scene, defines);
+        file.map_err(|error| self.diagnostics.push(error)).ok()
+    }
+
+    fn try_scene(&mut self, scene: &Path, defines: &[Define]) -> Result<SceneFile, Diagnostic> {
+        let kind = Kind::of(scene).inspect_err(|_| self.files.push(scene.to_path_buf()))?;
+        match kind {
+            Some(Kind::Model) => {
+                let text = Text::new(scene, "(environment: Constant(1.0))".to_owned());
+                let mut file = self.typed(parse(&text)?, defines)?;
+                let path = scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                let place = Diagnostic::file(Severity::Error, scene, "");
+                file.models.insert(0, ModelEntry { path, name: None, transform: DAffine3::IDENTITY, place });
+                Ok(file)
+            }
+            Some(Kind::Library) => {
+                self.files.push(scene.to_path_buf());
+                let error = Diagnostic::file(Severity::Error, scene, "this is a library of materials, not a scene");
+                Err(error.help("name the model (.obj) that uses it, or `lucerna check` it"))
+            }
+            Some(Kind::Scene) | None => self.chain(scene, Vec::new(), Chain::new(scene), defines),
+        }
+    }
+
+    /// Reads a file and those that it extends. `over` are the trees that extend it, the nearest last.
+    fn chain(
+        &mut self,
+        file: &Path,
+        over: Vec<Node>,
+        mut chain: Chain,
+        defines: &[Define],
+    ) -> Result<SceneFile, Diagnostic> {
+        self.files.push(file.to_path_buf());
+        let text = self.assets.text(file, SCENE_LIMIT);
+        let text = text.as_ref().as_ref().map_err(Diagnostic::clone)?;
+        let mut root = scene_fields(parse(text)?);
+        // Of this text's lifetime from here on, as is the tree that is added.
+        let mut over: Vec<Node> = over;
+        if is_of_family(&root) {
+            return Err(no_scene(file));
+        }
+        let extends = take_extends(&mut root)?;
+        let Some(extends) = extends else {
+            let root = over.into_iter().rev().fold(root, |base, over| merge(base, over, plain_field));
+            return self.typed(root, defines);
+        };
+        over.push(root);
+        let next = chain.add(&extends)?;
+        if let Some(what) = no_scene_file(&next) {
+            let message = format!("`{}` is {what}: a scene extends scenes only", extends.name);
+            return Err(Diagnostic { message, ..extends.place }.help("name a scene file (.ron)"));
+        }
+        self.chain(&next, over, chain, defines)
+    }
+
+    /// Types a tree that was changed by defines.
+    fn typed(&mut self, root: Node, defines: &[Define]) -> Result<SceneFile, Diagnostic> {
+        let texts = define_texts(defines);
+        let mut root: Node = root;
+        apply_defines(&mut root, defines, &texts, plain_field)?;
+        let reader = Reader::default();
+        let file = read_scene(&reader, &root);
+        self.diagnostics.list.extend(reader.into_diagnostics());
+        Ok(file)
+    }
+}
+
+/// What a file is by its ending, where that is no scene.
+fn no_scene_file(path: &Path) -> Option<&'static str> {
+    match Kind::by_ending(path) {
+        Some(Kind::Model) => Some("a model"),
+        Some(Kind::Library) => Some("a library of materials"),
+        Some(Kind::Scene) | None => None,
+    }
+}
