@@ -222,6 +222,9 @@ const DOUBTFUL: &[(&str, u32, &str)] = &[
     ("map_Kd -type sphere wood.png", 8, "it is an option of `refl`"),
     ("map_Kd -s 1e9 1 wood.png", 11, "`1e9` is taken as 1"),
     ("map_Kd -o nan 1 wood.png", 11, "`nan` is taken as 0"),
+    ("map_Kd -mm 1e9 2 wood.png", 12, "`1e9` is taken as 0"),
+    ("map_Kd -mm 0 1e9 wood.png", 14, "`1e9` is taken as 1"),
+    ("map_Kd textures", 8, "this is a folder, not a file"),
     ("map_Kd -clamp wood.png", 8, "has no value that fits"),
     ("map_Ps wood.png", 1, "sheen, which is not rendered"),
     ("disp wood.png", 1, "rendered as bump"),
@@ -239,6 +242,13 @@ fn each_line_that_is_not_honoured_is_a_warning_at_its_place() {
         assert_eq!((found.line, found.column), (3, *column), "{found}");
         assert_eq!(warnings.len(), 1, "{text}: {warnings:?}");
     }
+}
+
+#[test]
+fn what_is_there_but_no_file_is_not_meant_again() {
+    let (_, warnings) = read("Kd 0.5\nmap_Kd textures");
+    let help = warnings[0].help.as_deref().unwrap_or_default();
+    assert_eq!(help, "`map_Kd` is rendered without this map; the path is relative to the folder of the MTL file");
 }
 
 #[test]

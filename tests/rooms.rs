@@ -96,6 +96,13 @@ impl Room {
         }
     }
 
+    /// A lamp above all that is outdoors, behind a ball.
+    pub fn lamp(&mut self) {
+        let light = self.material(matte(Vec3::ZERO, Vec3::new(4.0, 3.0, 2.0)));
+        self.quad(Vec3::new(-1.0, 1.2, -0.5), Vec3::X, Vec3::Z, light);
+        self.shading.resize(self.triangles.len(), Shading::default());
+    }
+
     /// The seed's room in small: red and green walls, a glossy block, a shiny ball, a light in the ceiling.
     pub fn cornell() -> Self {
         let mut room = Self { environment: Vec3::new(0.1, 0.2, 0.3), ..Self::default() };

@@ -97,6 +97,7 @@ const WRONG: &[(&str, u32, &str)] = &[
     ("\"a\": (map_kd: (file: \"oka.png\"))", 22, "there is no image"),
     ("\"a\": (map_kd: (file: \"oak.png\", scael: 2))", 33, "unknown field `materials.a.map_kd.scael`"),
     ("\"a\": (map_kd: (file: \"oak.png\", scael: 2))", 33, "did you mean `scale`?"),
+    ("\"a\": (map_kd: (file: \"oak.png\", xyz: 2))", 33, "known fields: file, scale, offset, clamp, gain, base"),
     ("\"a\": (map_d: (file: \"oak.png\", channel: Rde))", 41, "expected Red or Green or Blue or Alpha or Luminance"),
     ("\"a\": (map_kd: (file: \"oak.png\", channel: Red))", 33, "unknown field `materials.a.map_kd.channel`"),
     ("\"a\": (map_kd: (file: \"oak.png\", scale: (1, 2, 3)))", 40, "expected 2 numbers in parentheses"),
@@ -119,6 +120,12 @@ fn wrong_maps_are_told_at_their_place() {
     }
     let Err(errors) = load_scene("", &[("materials.a.map_kd", "\"oek.png\"")]) else { panic!("taken") };
     assert_eq!((errors.list[0].file.as_path(), errors.list[0].line), (Path::new("-D"), 1), "{errors}");
+    // As a shell hands it over.
+    let Err(errors) = load_scene("", &[("materials.a.map_kd", "oak.png")]) else { panic!("taken") };
+    assert!(
+        errors.to_string().contains("double quotes; for a shell, with single ones around: '\"oak.png\"'"),
+        "{errors}"
+    );
 }
 
 #[test]

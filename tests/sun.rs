@@ -166,9 +166,7 @@ fn outdoors(size: f64, lamp: bool) -> Room {
     room.quad(Vec3::new(-1.5, 0.0, 0.3), Vec3::X, Vec3::Y, veil);
     room.ball(Vec3::new(0.4, -0.3, 0.0), 0.6, glossy);
     if lamp {
-        let light = room.material(matte(Vec3::ZERO, Vec3::new(4.0, 3.0, 2.0)));
-        room.quad(Vec3::new(-1.0, 1.2, -0.5), Vec3::X, Vec3::Z, light);
-        room.shading.resize(room.triangles.len(), Default::default());
+        room.lamp();
     }
     room
 }

@@ -8,18 +8,16 @@ use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec2};
 use lucerna::Engine;
 use lucerna::components::{Camera, Crop, Film, Material};
-use lucerna::cpu::texture::TextureSet;
 use lucerna::cpu::tree::Tree;
 use lucerna::cpu::view::ViewScene;
 use lucerna::gpu::GpuTable;
-use lucerna::layout::texture::{CornerUvs, MaterialMaps, TextureRecord};
 use lucerna::layout::trace::{MaterialRecord, Shading};
 use lucerna::layout::tree::{Triangle, node_count};
 use lucerna::layout::view::ViewMode;
 use lucerna::scene;
 use lucerna::shader::Library;
 use lucerna::systems::present::view_params;
-use lucerna::systems::resources::{Device, SceneGeometry, Shot, Texel};
+use lucerna::systems::resources::{Device, SceneGeometry, Shot, texture_set};
 
 use crate::support;
 use crate::support::tracer::device_fma;
@@ -60,13 +58,7 @@ fn twin(world: &World, mode: ViewMode, nudge: Vec2) -> Vec<u32> {
     let tree = Tree { leaves: device.read_some("leaves", count as usize).unwrap(), nodes };
     let shading: Vec<Shading> =
         if geometry.normals { device.read_some("shading", count as usize).unwrap() } else { Vec::new() };
-    let textures = TextureSet {
-        records: world.resource::<GpuTable<TextureRecord>>().rows(),
-        words: bytemuck::cast_slice(world.resource::<GpuTable<Texel>>().rows()),
-        maps: world.resource::<GpuTable<MaterialMaps>>().rows(),
-        uvs: world.resource::<GpuTable<CornerUvs>>().rows(),
-        ..TextureSet::default()
-    };
+    let textures = texture_set(world);
     let seen = ViewScene { tree: &tree, materials, shading: &shading, textures, fma };
     let mut params = view_params(geometry, shot, mode);
     let camera = &mut params.trace_params;

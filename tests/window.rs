@@ -11,6 +11,7 @@ mod live;
 mod maps;
 mod navigate;
 mod pace;
+mod panel;
 #[cfg(target_os = "linux")]
 mod person;
 #[cfg(target_os = "linux")]

@@ -81,7 +81,7 @@ impl ViewScene<'_> {
     }
 
     fn first_map(&self, triangle: &Triangle) -> u32 {
-        self.textures.maps(triangle.material).first()
+        self.textures.maps(triangle.material).shown
     }
 
     /// The texel of the first map, as light; slopes are shown about a grey.

@@ -34,6 +34,16 @@ pub struct FilmImage {
     pub relative_error: f64,
 }
 
+/// Reads back what is shown of the film's window, sRGB; none before anything is.
+pub fn read_picture(world: &World) -> Result<Option<Vec<[u8; 4]>>, EngineError> {
+    if progress(world).shown.is_none() {
+        return Ok(None);
+    }
+    let shot = &world.resource::<Shot>().params;
+    let count = (shot.window_width * shot.window_height) as usize;
+    Ok(Some(world.resource::<Device>().0.read_some("picture", count)?))
+}
+
 /// Reads the film back; shows it first, if its picture is an older one or not what is viewed.
 pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
     let before = progress(world);

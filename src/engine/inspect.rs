@@ -8,18 +8,17 @@ use glam::UVec2;
 use super::film::progress;
 use crate::components::{Name, UsesMaterial};
 use crate::cpu::film::pixel_mean;
-use crate::cpu::texture::{TextureSet, level_of, nearest_texel};
+use crate::cpu::texture::{level_of, nearest_texel};
 use crate::cpu::textured::Cone;
 use crate::cpu::view::middle_ray;
 use crate::gpu::GpuTable;
 use crate::layout::film::FilmPixel;
 use crate::layout::ray::{Hit, NO_HIT};
-use crate::layout::texture::{CornerUvs, MaterialMaps, TextureRecord};
 use crate::layout::trace::TraceParams;
 use crate::layout::tree::Triangle;
 use crate::passes::{Recording, extend};
 use crate::systems::EngineError;
-use crate::systems::resources::{Device, MeshSlot, SceneGeometry, Shot, Texel, Textures};
+use crate::systems::resources::{Device, MeshSlot, SceneGeometry, Shot, Textures, texture_set};
 
 /// A pixel, looked at closely.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,13 +104,7 @@ fn surface_of(world: &World, triangle: u32) -> Option<Seen> {
 
 /// Adds what the surface's textures have where a ray through the middle of a pixel hits it.
 fn look_up(world: &World, surface: Seen, shot: &TraceParams, hit: &Hit) -> Seen {
-    let textures = TextureSet {
-        records: world.resource::<GpuTable<TextureRecord>>().rows(),
-        words: bytemuck::cast_slice(world.resource::<GpuTable<Texel>>().rows()),
-        maps: world.resource::<GpuTable<MaterialMaps>>().rows(),
-        uvs: world.resource::<GpuTable<CornerUvs>>().rows(),
-        ..TextureSet::default()
-    };
+    let textures = texture_set(world);
     let Some(triangle) = world.resource::<GpuTable<Triangle>>().rows().get(hit.triangle as usize) else {
         return surface;
     };

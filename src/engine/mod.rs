@@ -266,6 +266,13 @@ impl Engine {
         }
     }
 
+    /// Has the scene read again, at once: another one is wanted of what reads it.
+    pub fn choose_scene(&self) {
+        if let Some(reload) = self.world.get_resource::<Reload>() {
+            reload.choose();
+        }
+    }
+
     /// How often each pass was dispatched since the engine opened.
     pub fn dispatches(&self) -> &BTreeMap<&'static str, u64> {
         self.world.resource::<Device>().0.dispatches()
@@ -284,6 +291,11 @@ impl Engine {
     /// Reads the film back, with its picture.
     pub fn film(&mut self) -> Result<FilmImage, EngineError> {
         film::read_film(&mut self.world)
+    }
+
+    /// Reads back what is shown of the film's window, sRGB, row by row from the top; none before anything is.
+    pub fn picture(&self) -> Result<Option<Vec<[u8; 4]>>, EngineError> {
+        film::read_picture(&self.world)
     }
 
     /// Reads the mean radiance of the film's window back, row by row from the top: sooner done than the whole film.

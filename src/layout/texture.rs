@@ -43,8 +43,9 @@ gpu_struct! {
         pub metalness: f32,
         /// What the map of opacity multiplies, 0 to 1.
         pub coverage: f32,
-        pub pad0: u32,
-        pub pad1: u32,
+        /// The texture that views show: `first` of those above.
+        pub shown: u32,
+        pub pad: u32,
     }
 
     /// Where the corners of one triangle are in pictures, in scene order.

@@ -1,5 +1,6 @@
 //! Ray queries as passes of their own: rays in, hits out.
 
+use super::textures::texture_bindings;
 use super::tree::PLAN;
 use super::twin::twin;
 use super::{Binding, Pass, Recording, Size};
@@ -10,17 +11,16 @@ pub static EXTEND: Pass = Pass {
     name: "extend",
     module: "passes/trace/extend",
     entry: "extend",
-    bindings: &[
-        Binding::read("nodes", "array<vec4<u32>>"),
-        Binding::read("leaves", "array<vec4<u32>>"),
-        Binding::params("ExtendParams"),
-        Binding::read("rays", "array<Ray>"),
-        Binding::write("hits", "array<Hit>"),
-        Binding::read("uvs", "array<vec4<u32>>").when(&["cutout"]),
-        Binding::read("textures", "array<vec4<u32>>").when(&["cutout"]),
-        Binding::read("texels", "array<u32>").when(&["cutout"]),
-        Binding::read("material_maps", "array<vec4<u32>>").when(&["cutout"]),
-    ],
+    bindings: &Binding::list::<9>(&[
+        &[
+            Binding::read("nodes", "array<vec4<u32>>"),
+            Binding::read("leaves", "array<vec4<u32>>"),
+            Binding::params("ExtendParams"),
+            Binding::read("rays", "array<Ray>"),
+            Binding::write("hits", "array<Hit>"),
+        ],
+        &texture_bindings(&["cutout"]),
+    ]),
     makes: &[],
     twin: twin!(traverse::closest_hit),
 };
@@ -30,17 +30,16 @@ pub static OCCLUDED: Pass = Pass {
     name: "occluded",
     module: "passes/trace/occluded",
     entry: "occluded",
-    bindings: &[
-        Binding::read("nodes", "array<vec4<u32>>"),
-        Binding::read("leaves", "array<vec4<u32>>"),
-        Binding::params("ExtendParams"),
-        Binding::read("rays", "array<Ray>"),
-        Binding::write("occlusion", "array<u32>"),
-        Binding::read("uvs", "array<vec4<u32>>").when(&["cutout"]),
-        Binding::read("textures", "array<vec4<u32>>").when(&["cutout"]),
-        Binding::read("texels", "array<u32>").when(&["cutout"]),
-        Binding::read("material_maps", "array<vec4<u32>>").when(&["cutout"]),
-    ],
+    bindings: &Binding::list::<9>(&[
+        &[
+            Binding::read("nodes", "array<vec4<u32>>"),
+            Binding::read("leaves", "array<vec4<u32>>"),
+            Binding::params("ExtendParams"),
+            Binding::read("rays", "array<Ray>"),
+            Binding::write("occlusion", "array<u32>"),
+        ],
+        &texture_bindings(&["cutout"]),
+    ]),
     makes: &[],
     twin: twin!(traverse::any_hit),
 };

@@ -11,6 +11,7 @@ mod pass;
 mod recording;
 pub mod sort;
 pub mod table;
+mod textures;
 pub mod trace;
 pub mod tree;
 mod twin;

@@ -35,7 +35,7 @@ pub enum Makes {
 }
 
 /// One binding of a pass, by its name in the WGSL.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Binding {
     pub name: &'static str,
     pub access: Access,
@@ -73,6 +73,22 @@ impl Binding {
     pub const fn and(mut self, features: &'static [&'static str]) -> Self {
         self.all = features;
         self
+    }
+
+    /// Parts of a row's bindings, one after another: `N` in all, or it does not compile.
+    pub const fn list<const N: usize>(parts: &[&[Self]]) -> [Self; N] {
+        let mut all = [Self::read("", ""); N];
+        let (mut part, mut count) = (0, 0);
+        while part < parts.len() {
+            let mut at = 0;
+            while at < parts[part].len() {
+                all[count] = parts[part][at];
+                (at, count) = (at + 1, count + 1);
+            }
+            part += 1;
+        }
+        assert!(count == N, "the parts have another number of bindings");
+        all
     }
 
     /// Whether it is in a module that is linked with some features.

@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::textures::{TEXTURED, texture_bindings};
 use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::texture::MaterialMaps;
@@ -9,32 +10,30 @@ use crate::layout::trace::{
     MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MaterialRecord, RadianceSample, TraceParams,
 };
 
-/// Features under which textures are looked up: `cutout` in the walk itself.
-pub const TEXTURED: &[&str] = &["textures", "relief", "emission_map", "cutout"];
-
 /// Integrators `Path` and `Bsdf`: with and without light sampling.
 pub static PATH: Pass = Pass {
     name: "path",
     module: "passes/trace/path",
     entry: "path",
-    bindings: &[
-        Binding::read("nodes", "array<vec4<u32>>"),
-        Binding::read("leaves", "array<vec4<u32>>"),
-        Binding::params("TraceParams"),
-        Binding::read("materials", "array<vec4<u32>>"),
-        Binding::write("radiance", "array<RadianceSample>"),
-        Binding::read("shading", "array<Shading>").when(&["normals"]),
-        Binding::read("lights", "array<vec4<u32>>").when(&["lights"]),
-        Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
-        Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
-        Binding::read("uvs", "array<vec4<u32>>").when(TEXTURED),
-        Binding::read("textures", "array<vec4<u32>>").when(TEXTURED),
-        Binding::read("texels", "array<u32>").when(TEXTURED),
-        Binding::read("material_maps", "array<vec4<u32>>").when(TEXTURED),
-        Binding::read("tangents", "array<vec4<u32>>").when(&["relief"]),
-        Binding::read("mean_emission", "array<f32>").when(&["emission_map"]).and(&["lights"]),
-        Binding::read("triangles", "array<vec4<u32>>").when(&["emission_map"]).and(&["lights"]),
-    ],
+    bindings: &Binding::list::<16>(&[
+        &[
+            Binding::read("nodes", "array<vec4<u32>>"),
+            Binding::read("leaves", "array<vec4<u32>>"),
+            Binding::params("TraceParams"),
+            Binding::read("materials", "array<vec4<u32>>"),
+            Binding::write("radiance", "array<RadianceSample>"),
+            Binding::read("shading", "array<Shading>").when(&["normals"]),
+            Binding::read("lights", "array<vec4<u32>>").when(&["lights"]),
+            Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
+            Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
+        ],
+        &texture_bindings(TEXTURED),
+        &[
+            Binding::read("tangents", "array<vec4<u32>>").when(&["relief"]),
+            Binding::read("mean_emission", "array<f32>").when(&["emission_map"]).and(&["lights"]),
+            Binding::read("triangles", "array<vec4<u32>>").when(&["emission_map"]).and(&["lights"]),
+        ],
+    ]),
     makes: &[Makes::Film],
     twin: twin!(path::PathScene::sample),
 };

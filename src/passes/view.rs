@@ -1,6 +1,6 @@
 //! What is seen first through the middle of every pixel, as a picture: in place of the film's.
 
-use super::trace::TEXTURED;
+use super::textures::{TEXTURED, texture_bindings};
 use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::view::ViewParams;
@@ -10,18 +10,17 @@ pub static VIEW: Pass = Pass {
     name: "view",
     module: "passes/trace/view",
     entry: "view",
-    bindings: &[
-        Binding::read("nodes", "array<vec4<u32>>"),
-        Binding::read("leaves", "array<vec4<u32>>"),
-        Binding::params("ViewParams"),
-        Binding::read("materials", "array<vec4<u32>>"),
-        Binding::write("picture", "array<u32>"),
-        Binding::read("shading", "array<Shading>").when(&["normals"]),
-        Binding::read("uvs", "array<vec4<u32>>").when(TEXTURED),
-        Binding::read("textures", "array<vec4<u32>>").when(TEXTURED),
-        Binding::read("texels", "array<u32>").when(TEXTURED),
-        Binding::read("material_maps", "array<vec4<u32>>").when(TEXTURED),
-    ],
+    bindings: &Binding::list::<10>(&[
+        &[
+            Binding::read("nodes", "array<vec4<u32>>"),
+            Binding::read("leaves", "array<vec4<u32>>"),
+            Binding::params("ViewParams"),
+            Binding::read("materials", "array<vec4<u32>>"),
+            Binding::write("picture", "array<u32>"),
+            Binding::read("shading", "array<Shading>").when(&["normals"]),
+        ],
+        &texture_bindings(TEXTURED),
+    ]),
     makes: &[Makes::Picture],
     twin: twin!(view::ViewScene::view),
 };

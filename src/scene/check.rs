@@ -3,12 +3,15 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use super::assets::Assets;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::kind::Kind;
-use super::load::{Loaded, attempt, bare};
+use super::load::{Loaded, attempt, attempt_in, bare};
 use super::mtl::{Appearance, read_mtl};
 use super::text::cannot_read;
+use super::textures::Loading;
 use super::unseen::unseen_by;
+use super::variants::{is_family, plan};
 use crate::files;
 
 /// What a check has read and found.
@@ -76,7 +79,7 @@ fn identity(path: PathBuf) -> PathBuf {
 }
 
 /// What can be checked.
-const KINDS: &str = "assets are .ron (scenes), .obj (models) and .mtl (materials)";
+const KINDS: &str = "assets are .ron (scenes and variant files), .obj (models) and .mtl (materials)";
 
 /// Adds the asset files of a folder and those below it.
 fn collect(folder: &Path, checked: &mut Checked) {
@@ -98,9 +101,33 @@ struct Found {
     reads: Vec<PathBuf>,
 }
 
+/// Reads a variant file, and all members as they would be loaded.
+fn check_family(path: &Path, assets: &Assets) -> Found {
+    let mut found = Found::default();
+    let family = match plan(path, &[], assets) {
+        Ok(family) => family,
+        Err(errors) => return Found { diagnostics: errors, ..found },
+    };
+    found.reads.clone_from(&family.files);
+    found.diagnostics.list.clone_from(&family.warnings);
+    for member in &family.members {
+        let (loaded, reads) = attempt_in(&family.scene, &member.defines, &Loading::default(), assets);
+        found.reads.extend(reads);
+        match loaded {
+            Ok(loaded) => found.diagnostics.list.extend(loaded.warnings),
+            Err(errors) => found.diagnostics.list.extend(errors.list),
+        }
+    }
+    found
+}
+
 /// Reads one file.
 fn check_file(path: &Path) -> Found {
     let mut found = Found::default();
+    let assets = Assets::new();
+    if is_family(path, &assets) {
+        return check_family(path, &assets);
+    }
     match Kind::of(path) {
         Ok(Some(kind @ (Kind::Scene | Kind::Model))) => {
             let (loaded, reads) = attempt(path, &[]);

@@ -33,6 +33,8 @@ pub struct Loaded {
     pub warnings: Vec<Diagnostic>,
     /// Every file that was read, or that was looked for and is missing.
     pub files: Vec<PathBuf>,
+    /// Pictures that are cut short: if one was saved just now, its rest may follow.
+    pub unfinished: Vec<PathBuf>,
 }
 
 /// Reads a scene file, or an OBJ file with a default camera and a constant environment.
@@ -65,12 +67,14 @@ pub fn attempt_in(
         diagnostics: Diagnostics::default(),
         models: BTreeSet::new(),
         map_places: BTreeMap::new(),
+        unfinished: Vec::new(),
     };
     let description = loader.load(scene, defines, loading);
     let files = loader.files.clone();
     let loaded = match description {
         Some(description) if !loader.diagnostics.has_errors() => {
-            Ok(Loaded { description, warnings: loader.diagnostics.list, files: loader.files })
+            let Loader { diagnostics, files, unfinished, .. } = loader;
+            Ok(Loaded { description, warnings: diagnostics.list, files, unfinished })
         }
         _ => Err(loader.diagnostics),
     };
@@ -85,6 +89,8 @@ struct Loader<'s> {
     models: BTreeSet<PathBuf>,
     /// By the files that maps name: the first place that does, as a warning without its message.
     map_places: BTreeMap<PathBuf, Diagnostic>,
+    /// Pictures that are cut short.
+    unfinished: Vec<PathBuf>,
 }
 
 impl Loader<'_> {
@@ -171,6 +177,7 @@ impl Loader<'_> {
         let found = textures::load(maps, &|file| self.place_of_map(file), loading, self.assets);
         self.diagnostics.list.extend(found.messages);
         self.files.extend(found.files);
+        self.unfinished = found.unfinished;
         found.textures
     }
 

@@ -73,7 +73,11 @@ pub fn file_names(folder: &Path) -> Vec<String> {
 pub fn near_names(folder: &Path, name: &str) -> Option<String> {
     let path = as_written(folder, name);
     let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
-    let near = |folder: &Path| did_you_mean(last, file_names(folder).iter().map(String::as_str));
+    let near = |folder: &Path| {
+        let names = file_names(folder);
+        // What is there under the same name is what can't be read.
+        did_you_mean(last, names.iter().map(String::as_str).filter(|name| *name != last))
+    };
     path.parent().and_then(near).or_else(|| near(folder))
 }
 

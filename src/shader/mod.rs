@@ -13,6 +13,7 @@ mod depth;
 mod error;
 mod feature_sets;
 mod generated;
+mod layers;
 mod library;
 mod link;
 mod message;
@@ -31,6 +32,7 @@ use std::collections::BTreeSet;
 
 pub use budget::LOOP_FAULTS;
 pub use error::{ErrorKind, Place, ShaderError, Source};
+pub use layers::Layers;
 pub use library::Library;
 pub use link::Linked;
 pub use reflect::{BoundResource, EntryPoint, ResourceKind};

@@ -35,6 +35,8 @@ pub struct Reload {
     /// The scene, or the code, had to give way to an older one, and is tried again when the other changes.
     retry_scene: bool,
     retry_code: bool,
+    /// Shaders and scene that were of each other were taken back: nothing else is taken up until they come together again.
+    undone: bool,
     /// When the save happened whose first pixels are not there yet.
     awaited: Option<Instant>,
     /// What other code makes anew, from when it is put in place until the changes of the scene are known.
@@ -63,6 +65,8 @@ struct Trial {
     code: Option<Code>,
     /// The code that runs now has shown a whole sample.
     passed: bool,
+    /// Code and scene are of each other: both go, or neither.
+    tied: bool,
     /// What the code on trial makes anew.
     restarts: Restarts,
     scene: Option<SceneDescription>,
@@ -87,6 +91,7 @@ impl Reload {
             refused: Vec::new(),
             retry_scene: false,
             retry_code: false,
+            undone: false,
             awaited: None,
             code_restarts: Restarts::default(),
             trial: Trial::default(),
@@ -101,6 +106,11 @@ impl Reload {
     /// Has everything read again, changed or not.
     pub fn force(&self) {
         self.watch.force();
+    }
+
+    /// Has the scene read again, at once: another one is wanted.
+    pub fn choose(&self) {
+        self.watch.choose();
     }
 }
 
@@ -135,7 +145,16 @@ fn take_up_saves(world: &mut World) {
 }
 
 fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
-    let Outcome { saved, code, scene, warnings: slow } = outcome;
+    let Outcome { saved, mut code, mut scene, warnings: slow, tied } = outcome;
+    if reload.undone && !tied && (matches!(code, Some((_, Ok(_)))) || matches!(scene, Some((_, Ok(_))))) {
+        // It was read before the worker knew.
+        code = code.filter(|(_, code)| code.is_err());
+        scene = scene.filter(|(_, scene)| scene.is_err());
+        reload.watch.choose();
+    }
+    if tied && matches!((&code, &scene), (Some((_, Ok(_))), Some((_, Ok(_))))) {
+        (reload.undone, reload.trial.tied) = (false, true);
+    }
     let (mut good, mut bad) = (Vec::new(), Vec::new());
     let (mut any_good, mut problems, mut warnings) = (false, Vec::new(), Vec::new());
     match code {
@@ -193,7 +212,7 @@ fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
     }
     reload.trial.code = Some(old);
     // What runs is the same: only what a scene may ask for later is other code.
-    reload.trial.passed = reload.code_restarts == Restarts::default();
+    reload.trial.passed = reload.code_restarts == Restarts::default() && !reload.trial.tied;
     reload.trial.restarts = reload.code_restarts;
     if reload.code_restarts.film {
         let device = &mut world.resource_mut::<Device>().0;
@@ -269,6 +288,10 @@ fn end_trial(
         reload.trial.scene = None;
         reload.trial.film = None;
         reload.trial.passed = true;
+        // What was there before is gone: its scene is, too.
+        if std::mem::take(&mut reload.trial.tied) {
+            reload.trial.code = None;
+        }
     }
 }
 
@@ -280,7 +303,8 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
     let endless = is_endless(&error);
     let lost = matches!(error, EngineError::Gpu(GpuError::Lost { .. }));
     let code = reload.trial.code.take_if(|_| !reload.trial.passed || endless);
-    let scene = reload.trial.scene.take_if(|_| !endless || code.is_none());
+    let tied = reload.trial.tied && code.is_some();
+    let scene = reload.trial.scene.take_if(|_| tied || !endless || code.is_none());
     if lost || code.is_none() && scene.is_none() {
         world.insert_resource(reload);
         return Err(error);
@@ -295,7 +319,9 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
     if let Some(scene) = scene {
         scene::apply_changes(world, reload.description.as_ref(), &scene);
         reload.description = Some(scene);
-        reload.problems.scene = vec![problem.clone()];
+        if !tied {
+            reload.problems.scene = vec![problem.clone()];
+        }
     }
     // A batch is counted when it is recorded: where the tree failed, it was not traced.
     let untraced = !world.resource::<Tree>().built && !world.resource::<Batch>().is_empty();
@@ -320,8 +346,13 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
         }
         None => start_again(world),
     }
-    reload.retry_code |= had_code && !endless;
-    reload.retry_scene |= had_scene;
+    if tied {
+        (reload.undone, reload.trial.tied) = (true, false);
+        reload.watch.undone();
+    } else {
+        reload.retry_code |= had_code && !endless;
+        reload.retry_scene |= had_scene;
+    }
     world.resource_mut::<Governor>().forget();
     let saved = reload.awaited.take().or(reload.taken.first().map(|taken| taken.saved));
     let since_save = saved.map(|saved| saved.elapsed()).unwrap_or_default();

@@ -7,12 +7,22 @@ use super::event::problems_of;
 use super::message::Look;
 use crate::files::{self, Digest, Stamp};
 use crate::scene::{self, Define, Diagnostics, Loaded, SceneDescription};
+use crate::shader::Layers;
 
 /// What the command line says over a scene file.
 pub type Adjust = Box<dyn Fn(&mut SceneDescription) + Send>;
 
-/// What reads a scene, and every file that it read or looked for.
-pub type Read = Box<dyn FnMut() -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) + Send>;
+/// What reads a scene.
+pub type Read = Box<dyn FnMut() -> Attempt + Send>;
+
+/// What came of reading a scene.
+pub struct Attempt {
+    pub scene: Result<Loaded, Diagnostics>,
+    /// Every file that was read or looked for.
+    pub files: Vec<PathBuf>,
+    /// The shaders that it is to be drawn with, where it says so.
+    pub shaders: Option<Layers>,
+}
 
 /// A scene, and how it is read.
 pub struct WatchedScene {
@@ -24,7 +34,11 @@ pub struct WatchedScene {
 impl WatchedScene {
     /// That of a file, with defines.
     pub fn file(path: PathBuf, defines: Vec<Define>, adjust: Adjust) -> Self {
-        Self { read: Box::new(move || scene::attempt(&path, &defines)), adjust }
+        let read = move || {
+            let (scene, files) = scene::attempt(&path, &defines);
+            Attempt { scene, files, shaders: None }
+        };
+        Self { read: Box::new(read), adjust }
     }
 }
 
@@ -32,6 +46,8 @@ impl WatchedScene {
 pub struct SceneFiles {
     scene: WatchedScene,
     seen: BTreeMap<PathBuf, Seen>,
+    /// What the last good one is to be drawn with.
+    pub shaders: Option<Layers>,
 }
 
 /// A file's stamp and contents; of what is no file, or can't be read, nothing.
@@ -44,7 +60,7 @@ struct Seen {
 impl SceneFiles {
     /// `files` are those that were read for what runs now.
     pub fn new(scene: WatchedScene, files: &[PathBuf]) -> Self {
-        let mut this = Self { scene, seen: BTreeMap::new() };
+        let mut this = Self { scene, seen: BTreeMap::new(), shaders: None };
         this.see(files);
         this
     }
@@ -54,7 +70,7 @@ impl SceneFiles {
         self.seen.keys().flat_map(|file| files::trail(file))
     }
 
-    /// Loads the scene anew if any of its files changed. `patient`: a file that is empty or gone is being saved.
+    /// Loads the scene anew if any of its files changed. `patient`: a file that is empty, gone or cut short is being saved.
     pub fn look(&mut self, patient: bool, force: bool) -> Look<Box<Loaded>> {
         let now: Vec<(PathBuf, Seen)> =
             self.seen.iter().map(|(path, old)| (path.clone(), Seen::of(path, Some(old)))).collect();
@@ -67,11 +83,16 @@ impl SceneFiles {
         if patient && changed.iter().any(|(_, seen)| seen.digest.length == 0) {
             return Look::Unfinished;
         }
-        let files = changed.into_iter().map(|(path, _)| path.clone()).collect();
-        let (mut result, read) = (self.scene.read)();
+        let files: Vec<PathBuf> = changed.into_iter().map(|(path, _)| path.clone()).collect();
+        let Attempt { scene: mut result, files: read, shaders } = (self.scene.read)();
+        let is_cut_short = |loaded: &Loaded| loaded.unfinished.iter().any(|file| files.contains(file));
+        if patient && result.as_ref().is_ok_and(is_cut_short) {
+            return Look::Unfinished;
+        }
         // What a broken scene names is not all known: then the old files stay under watch.
         if let Ok(loaded) = &mut result {
             (self.scene.adjust)(&mut loaded.description);
+            self.shaders = shaders;
             self.seen.retain(|path, _| read.contains(path));
         }
         self.see(&read);

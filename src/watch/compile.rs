@@ -35,6 +35,8 @@ struct Pending {
     edited: BTreeSet<String>,
     /// The scene of the same burst, to be taken up together with the code.
     scene: Option<Side<Box<Loaded>>>,
+    /// That scene is to be drawn with this code alone.
+    tied: bool,
     warnings: Vec<Problem>,
     /// When it is told next that it takes long.
     tell: Instant,
@@ -58,7 +60,15 @@ impl Compiles {
     }
 
     /// Compiles a save. What is still being compiled is older, and given up; its files are told with the new ones.
-    pub fn begin(&mut self, saved: Instant, files: Vec<PathBuf>, code: Saved, scene: Option<Side<Box<Loaded>>>) {
+    /// `tied`: code and scene are of each other.
+    pub fn begin(
+        &mut self,
+        saved: Instant,
+        files: Vec<PathBuf>,
+        code: Saved,
+        scene: Option<Side<Box<Loaded>>>,
+        tied: bool,
+    ) {
         let Saved { library, mut edited } = code;
         let now = Instant::now();
         let mut pending = Pending {
@@ -67,6 +77,7 @@ impl Compiles {
             files,
             edited: BTreeSet::new(),
             scene,
+            tied,
             warnings: Vec::new(),
             tell: now + LATE,
             waits: None,
@@ -131,8 +142,10 @@ impl Compiles {
             self.start();
             return None;
         }
-        let Pending { saved, files, scene, warnings, .. } = self.pending.take()?;
-        Some(Outcome { saved, code: Some((files, result)), scene, warnings })
+        let Pending { saved, files, scene, tied, warnings, .. } = self.pending.take()?;
+        // A scene whose code is wrong waits until that is mended.
+        let scene = scene.filter(|_| !tied || result.is_ok());
+        Some(Outcome { saved, code: Some((files, result)), scene, warnings, tied })
     }
 
     /// Keeps a warning of the newest save, once: several passes hold the same code.

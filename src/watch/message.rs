@@ -13,6 +13,10 @@ pub enum Message {
     Touched(Instant),
     /// Everything is to be read again.
     Force,
+    /// The scene is to be read again, at once: another one is wanted.
+    Choose,
+    /// The last that was taken up together, shaders and scene, is not what runs.
+    Undone,
     /// A compile has ended: its number, and what it made.
     Compiled {
         serial: u64,
@@ -29,7 +33,7 @@ pub enum Message {
 /// What a look at some files gives.
 pub enum Look<T> {
     Same,
-    /// A file is empty or gone: most likely it is being saved.
+    /// A file is empty, gone or cut short: most likely it is being saved.
     Unfinished,
     Changed {
         files: Vec<PathBuf>,
@@ -67,6 +71,8 @@ pub struct Outcome {
     pub scene: Option<Side<Box<Loaded>>>,
     /// Of good code.
     pub warnings: Vec<Problem>,
+    /// Code and scene are of each other: neither is to run without the other.
+    pub tied: bool,
 }
 
 /// The files that changed of shaders, or of the scene, and what they give.

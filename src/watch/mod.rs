@@ -20,7 +20,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 
-pub use assets::{Adjust, Read, WatchedScene};
+pub use assets::{Adjust, Attempt, Read, WatchedScene};
 pub use event::{Problem, ReloadEvent, Restarts};
 pub use linter::{Linter, Wake};
 pub use message::{News, Outcome};
@@ -28,18 +28,18 @@ pub use watcher::WatchError;
 
 use crate::gpu::Compiler;
 use crate::scene::SceneDescription;
-use crate::shader::Library;
+use crate::shader::{Layers, Library};
 use assets::SceneFiles;
 use compile::Compiles;
 use message::Message;
-use shaders::ShaderFolder;
+use shaders::ShaderFolders;
 use watcher::Folders;
 use worker::Worker;
 
 /// What to watch, and what of it runs already.
 pub struct Sources {
-    /// The folder that the engine's library was read from.
-    pub shaders: Option<(PathBuf, Library)>,
+    /// What the engine's library was read from.
+    pub shaders: Option<(Layers, Library)>,
     /// The scene file, what it gave, and the files it was read from.
     pub scene: Option<(WatchedScene, SceneDescription, Vec<PathBuf>)>,
 }
@@ -63,12 +63,13 @@ impl Watch {
         let waits = Arc::new(AtomicBool::new(false));
         let worker = Worker {
             folders,
-            shaders: sources.shaders.map(|(folder, library)| (ShaderFolder::new(folder, &library), compiles)),
+            shaders: sources.shaders.map(|(layers, library)| (ShaderFolders::new(layers, &library), compiles)),
             scene: sources.scene.map(|(file, _, files)| SceneFiles::new(file, &files)),
             messages,
             news: news_sender,
             wake: Box::new(move || wake()),
             waits: waits.clone(),
+            apart: false,
         };
         let worker = std::thread::spawn(move || worker.run());
         Ok(Watch { sender, news: Mutex::new(news), worker: Some(worker), waits })
@@ -89,6 +90,16 @@ impl Watch {
     pub fn force(&self) {
         // A worker that is gone has told why when it went.
         let _ = self.sender.send(Message::Force);
+    }
+
+    /// Has the scene read again, at once: another one is wanted.
+    pub fn choose(&self) {
+        let _ = self.sender.send(Message::Choose);
+    }
+
+    /// Says that what was taken up together last, shaders and scene, was taken back.
+    pub fn undone(&self) {
+        let _ = self.sender.send(Message::Undone);
     }
 }
 

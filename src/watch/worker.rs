@@ -6,12 +6,13 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
 use super::assets::SceneFiles;
-use super::compile::Compiles;
+use super::compile::{Compiles, Saved};
 use super::event::Problem;
-use super::message::{Look, Message, News, Outcome};
-use super::shaders::ShaderFolder;
+use super::message::{Look, Message, News, Outcome, Side};
+use super::shaders::ShaderFolders;
 use super::watcher::{Folders, Place, Watched};
 use crate::gpu::Code;
+use crate::scene::Loaded;
 
 /// A burst is over when nothing was touched for so long: longer than an editor or git takes from one file to the next.
 const QUIET: Duration = Duration::from_millis(30);
@@ -19,7 +20,7 @@ const QUIET: Duration = Duration::from_millis(30);
 /// But no burst is longer than this.
 const LONGEST_BURST: Duration = Duration::from_millis(500);
 
-/// A file that stays empty or away for so long is meant to be.
+/// A file that stays empty, cut short or away for so long is meant to be.
 const PATIENCE: Duration = Duration::from_millis(500);
 
 /// Between two looks for a folder that is not there.
@@ -28,7 +29,7 @@ const SEARCH: Duration = Duration::from_millis(500);
 /// The worker's own state.
 pub struct Worker {
     pub folders: Folders,
-    pub shaders: Option<(ShaderFolder, Compiles)>,
+    pub shaders: Option<(ShaderFolders, Compiles)>,
     pub scene: Option<SceneFiles>,
     pub messages: Receiver<Message>,
     pub news: Sender<News>,
@@ -36,6 +37,16 @@ pub struct Worker {
     pub wake: Box<dyn Fn() + Send>,
     /// Set while news waits to be taken up.
     pub waits: Arc<AtomicBool>,
+    /// Shaders and scene as they were last read are of each other, and not what runs: whatever is saved next, both are read, and taken
+    /// up both or neither.
+    pub apart: bool,
+}
+
+/// What is to be read again, changed or not.
+#[derive(Clone, Copy, Default)]
+struct Force {
+    code: bool,
+    scene: bool,
 }
 
 impl Worker {
@@ -46,8 +57,13 @@ impl Worker {
         let mut next = Some(Message::Touched(Instant::now()));
         while let Some(message) = next.take().or_else(|| self.receive(all)) {
             let (saved, force) = match message {
-                Message::Touched(saved) => (saved, false),
-                Message::Force => (Instant::now(), true),
+                Message::Touched(saved) => (saved, Force::default()),
+                Message::Force => (Instant::now(), Force { code: true, scene: true }),
+                Message::Choose => (Instant::now(), Force { code: false, scene: true }),
+                Message::Undone => {
+                    self.apart = true;
+                    continue;
+                }
                 Message::Compiled { serial, result } => match self.end_compile(serial, result) {
                     true => continue,
                     false => return,
@@ -98,7 +114,10 @@ impl Worker {
     /// Takes what a compile has made. False if nobody takes it.
     fn end_compile(&mut self, serial: u64, result: Result<Code, Vec<Problem>>) -> bool {
         let ended = self.shaders.as_mut().and_then(|(_, compiles)| compiles.end(serial, result));
-        ended.is_none_or(|outcome| self.send(News::Ready(Box::new(outcome))))
+        ended.is_none_or(|outcome| {
+            self.apart &= !outcome.tied || matches!(outcome.code, Some((_, Err(_))));
+            self.send(News::Ready(Box::new(outcome)))
+        })
     }
 
     fn warn(&mut self, serial: u64, warning: Problem) {
@@ -116,13 +135,15 @@ impl Worker {
         sent
     }
 
-    /// Waits until a burst is over. Whether everything is to be read again; None if the worker is to stop.
-    fn wait_for_quiet(&mut self, saved: Instant, force: bool) -> Option<bool> {
+    /// Waits until a burst is over. What is to be read again; None if the worker is to stop.
+    fn wait_for_quiet(&mut self, saved: Instant, force: Force) -> Option<Force> {
         let mut force = force;
-        while !force && saved.elapsed() < LONGEST_BURST {
+        while !force.code && !force.scene && saved.elapsed() < LONGEST_BURST {
             match self.messages.recv_timeout(QUIET) {
                 Ok(Message::Touched(_)) => {}
-                Ok(Message::Force) => force = true,
+                Ok(Message::Force) => force = Force { code: true, scene: true },
+                Ok(Message::Choose) => force.scene = true,
+                Ok(Message::Undone) => self.apart = true,
                 Ok(Message::Compiled { serial, result }) => {
                     if !self.end_compile(serial, result) {
                         return None;
@@ -137,41 +158,63 @@ impl Worker {
     }
 
     /// Looks until no file is half saved, and sends what changed. False if nobody takes it.
-    fn look(&mut self, saved: Instant, force: bool) -> bool {
-        let (mut code, mut scene) = (Look::Unfinished, Look::Unfinished);
-        loop {
-            let patient = !force && saved.elapsed() < PATIENCE;
-            if matches!(code, Look::Unfinished) {
-                code = self.shaders.as_mut().map_or(Look::Same, |(folder, _)| folder.look(patient, force));
-            }
-            if matches!(scene, Look::Unfinished) {
-                scene = self.scene.as_mut().map_or(Look::Same, |scene| scene.look(patient, force));
-            }
-            if !matches!(code, Look::Unfinished) && !matches!(scene, Look::Unfinished) {
-                break;
-            }
-            std::thread::sleep(QUIET / 2);
+    fn look(&mut self, saved: Instant, force: Force) -> bool {
+        let patient = |force: bool| !force && saved.elapsed() < PATIENCE;
+        let mut scene = until_whole(|| {
+            let force = force.scene;
+            self.scene.as_mut().map_or(Look::Same, |scene| scene.look(patient(force), force))
+        });
+        if let (Some(SceneFiles { shaders: Some(layers), .. }), Some((folders, _))) = (&self.scene, &mut self.shaders) {
+            self.apart |= folders.choose(layers);
         }
-        let (code, scene) = (code.changed(), scene.changed());
-        let Some((_, compiles)) = &mut self.shaders else {
-            return scene.is_none()
-                || self.send(News::Ready(Box::new(Outcome { saved, code: None, scene, warnings: Vec::new() })));
+        let force_code = force.code || self.apart && !matches!(scene, Look::Same);
+        let code = until_whole(|| {
+            let folders = self.shaders.as_mut();
+            folders.map_or(Look::Same, |(folders, _)| folders.look(patient(force_code || force.scene), force_code))
+        });
+        if self.apart && matches!((&code, &scene), (Look::Changed { .. }, Look::Same)) {
+            scene = self.scene.as_mut().map_or(Look::Same, |scene| scene.look(false, true));
+        }
+        match self.outcome(saved, code.changed(), scene.changed()) {
+            Some(outcome) => self.send(News::Ready(Box::new(outcome))),
+            None => true,
+        }
+    }
+
+    /// What is to be sent at once of what was read; code that can be compiled is, first.
+    fn outcome(
+        &mut self,
+        saved: Instant,
+        code: Option<Side<Saved>>,
+        scene: Option<Side<Box<Loaded>>>,
+    ) -> Option<Outcome> {
+        let tied = self.apart;
+        let (warnings, none) = (Vec::new(), code.is_none() && scene.is_none());
+        let Some((_, compiles)) = self.shaders.as_mut().filter(|_| !none) else {
+            return scene.map(|scene| Outcome { saved, code: None, scene: Some(scene), warnings, tied: false });
         };
-        let outcome = match (code, scene) {
-            (Some((files, Ok(code))), scene) => {
-                compiles.begin(saved, files, code, scene);
-                return true;
+        // Shaders of a scene that can't be read are of no use.
+        let code = code.filter(|_| !tied || matches!(scene, None | Some((_, Ok(_)))));
+        match code {
+            Some((files, Ok(code))) => {
+                compiles.begin(saved, files, code, scene, tied);
+                None
             }
-            (Some((files, Err(problems))), scene) => {
+            Some((files, Err(problems))) => {
                 let (files, scene) = compiles.refuse(files, scene);
-                Outcome { saved, code: Some((files, Err(problems))), scene, warnings: Vec::new() }
+                let scene = scene.filter(|_| !tied);
+                Some(Outcome { saved, code: Some((files, Err(problems))), scene, warnings, tied })
             }
-            (None, Some(scene)) => {
-                Outcome { saved, code: None, scene: Some(compiles.with_older_scene(scene)), warnings: Vec::new() }
+            None if tied => {
+                let scene = scene.map(|(files, scene)| compiles.refuse(files, Some((Vec::new(), scene))));
+                let scene = scene.and_then(|(files, scene)| Some((files, scene?.1)));
+                Some(Outcome { saved, code: None, scene, warnings, tied: false })
             }
-            (None, None) => return true,
-        };
-        self.send(News::Ready(Box::new(outcome)))
+            None => {
+                let scene = scene.map(|scene| compiles.with_older_scene(scene));
+                Some(Outcome { saved, code: None, scene, warnings, tied: false })
+            }
+        }
     }
 
     /// Watches what is to be watched now.
@@ -179,5 +222,15 @@ impl Worker {
         let shaders = self.shaders.iter().flat_map(|(folder, _)| folder.places());
         let scenes = self.scene.iter().flat_map(SceneFiles::folders).map(|folder| Place { folder, below: false });
         self.folders.watch(shaders.chain(scenes).collect::<Vec<_>>())
+    }
+}
+
+/// Looks until no file is half saved.
+fn until_whole<T>(mut look: impl FnMut() -> Look<T>) -> Look<T> {
+    loop {
+        match look() {
+            Look::Unfinished => std::thread::sleep(QUIET / 2),
+            found => return found,
+        }
     }
 }

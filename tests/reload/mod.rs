@@ -1,5 +1,6 @@
 //! What is saved while the engine runs: taken up whole, or not at all, and only what depends on it starts anew.
 
+mod family;
 mod guide;
 #[cfg(unix)]
 mod links;
@@ -20,7 +21,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use lucerna::scene;
-use lucerna::shader::Library;
+use lucerna::shader::{Layers, Library};
 use lucerna::watch::{ReloadEvent, Sources, WatchedScene};
 use lucerna::{Engine, FilmImage};
 
@@ -86,7 +87,7 @@ impl Bench {
         let mut engine = Engine::open(support::gpu(), library.clone(), &loaded.description).unwrap();
         let file = WatchedScene::file(path, Vec::new(), Box::new(|_| {}));
         let sources = Sources {
-            shaders: Some((root.join("shaders"), library)),
+            shaders: Some((Layers::folder(root.join("shaders")), library)),
             scene: Some((file, loaded.description, loaded.files)),
         };
         engine.watch(sources, || {}).unwrap();

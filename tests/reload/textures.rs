@@ -114,3 +114,21 @@ fn a_scene_without_textures_binds_nothing_of_them() {
         plain.engine.uploads()
     );
 }
+
+#[test]
+fn a_picture_that_is_saved_in_two_parts_is_taken_up_once() {
+    let mut bench = bench();
+    let shown = bench.film();
+    write_stripes(&bench.path("whole.png"), SIDE, [90, 40, 200]);
+    let whole = fs::read(bench.path("whole.png")).unwrap();
+    fs::write(bench.path("floor.png"), &whole[..whole.len() / 2]).unwrap();
+    // Longer than a burst of saves is waited for, and shorter than what stays cut short.
+    std::thread::sleep(std::time::Duration::from_millis(150));
+    fs::write(bench.path("floor.png"), &whole).unwrap();
+    let warnings = bench.wait("reload", |event| match event {
+        ReloadEvent::Reloaded { warnings, .. } => Some(warnings.len()),
+        _ => None,
+    });
+    assert_eq!(warnings, 0, "the first half was taken up");
+    assert!(bench.film().pixels == bench.fresh_film().pixels && bench.film().pixels != shown.pixels);
+}

@@ -11,6 +11,7 @@ mod leaves;
 mod limits;
 mod load;
 mod lookups;
+mod moved;
 mod oracle;
 mod refusals;
 pub mod room;

@@ -81,8 +81,8 @@ fn each_is_told_once() {
     assert!(notices.fresh(&[], None).is_empty());
     let sky = Some((UVec2::new(9000, 4500), 2));
     let told = notices.fresh(&[], sky);
-    let right = "the environment's picture of 9000x4500 pixels is halved 2 times to 2250x1125: this adapter has no room for more";
-    assert!(told.len() == 1 && told[0].starts_with(right), "{told:?}");
+    let of_sky = "the environment's picture of 9000x4500 pixels is halved 2 times to 2250x1125: this adapter has no room for more";
+    assert!(told.len() == 1 && told[0].starts_with(of_sky), "{told:?}");
     assert!(notices.fresh(&[], sky).is_empty());
     assert_eq!(notices.fresh(&[used("c", 3, 1)], None), [right]);
 }

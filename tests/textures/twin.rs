@@ -6,16 +6,14 @@ use glam::{DVec3, UVec2};
 use lucerna::components::{Integrator, Sampler, TextureFilter};
 use lucerna::cpu::path::PathScene;
 use lucerna::cpu::rng::Source;
-use lucerna::cpu::texture::TextureSet;
 use lucerna::engine::Engine;
 use lucerna::gpu::GpuTable;
 use lucerna::layout::light::{LightRecord, LightTable};
-use lucerna::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use lucerna::layout::trace::{MaterialRecord, RadianceSample, SAMPLE_BAD, Shading, TraceParams};
 use lucerna::layout::tree::Triangle;
 use lucerna::scene::SceneDescription;
 use lucerna::shader::Library;
-use lucerna::systems::resources::{Device, LightDensity, MeanEmission, Shot, Texel};
+use lucerna::systems::resources::{Device, LightDensity, Shot, texture_set};
 
 use super::garden::Garden;
 use crate::rooms::trace_batch;
@@ -39,8 +37,6 @@ fn by_kernel(engine: &mut Engine, params: &TraceParams) -> Vec<(DVec3, u32)> {
 /// The same by the twin, on what the engine has extracted.
 fn by_twin(engine: &Engine, description: &SceneDescription, params: &TraceParams) -> Vec<(DVec3, u32)> {
     engine.read(|world| {
-        let words: Vec<u32> = world.resource::<GpuTable<Texel>>().rows().iter().map(|texel| texel.0).collect();
-        let means: Vec<f32> = world.resource::<GpuTable<MeanEmission>>().rows().iter().map(|mean| mean.0).collect();
         let triangles = world.resource::<GpuTable<Triangle>>().rows();
         let mut scene = PathScene::new(triangles, world.resource::<GpuTable<MaterialRecord>>().rows());
         scene.shading = world.resource::<GpuTable<Shading>>().rows();
@@ -51,14 +47,7 @@ fn by_twin(engine: &Engine, description: &SceneDescription, params: &TraceParams
         let density = world.resource::<LightDensity>().0;
         let lights = world.resource::<GpuTable<LightRecord>>().rows().to_vec();
         scene.lights = (description.render.integrator == Integrator::Path).then_some(LightTable { lights, density });
-        scene.textures = TextureSet {
-            records: world.resource::<GpuTable<TextureRecord>>().rows(),
-            words: &words,
-            maps: world.resource::<GpuTable<MaterialMaps>>().rows(),
-            uvs: world.resource::<GpuTable<CornerUvs>>().rows(),
-            tangents: world.resource::<GpuTable<Tangents>>().rows(),
-            mean_emission: &means,
-        };
+        scene.textures = texture_set(world);
         let samples =
             (0..LAYERS).flat_map(|layer| (0..SIZE.y).flat_map(move |y| (0..SIZE.x).map(move |x| (layer, x, y))));
         samples

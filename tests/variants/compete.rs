@@ -2,7 +2,7 @@
 
 use lucerna::app::variants::record::State;
 
-use super::command::{answer, folder, member, run};
+use super::{answer, folder, member, run};
 
 /// One sampler is far worse where light is smooth.
 const FAMILY: &str = r#"(
@@ -29,6 +29,6 @@ fn members_that_are_certain_to_lose_end_early() {
     // What was raced is not taken for what is rendered without a race.
     let rendered = answer(folder.path(), &["--out", "out"], 0);
     assert!(rendered.records.iter().all(|record| record.snapshots[0].spp == 4));
-    let alone = super::command::run(folder.path(), &["--race", "--only", "Pcg"]);
+    let alone = super::run(folder.path(), &["--race", "--only", "Pcg"]);
     assert_eq!(alone.status.code(), Some(2));
 }

@@ -3,7 +3,7 @@
 use lucerna::scene::variants::{Chosen, Goal, is_family, plan};
 use lucerna::scene::{Assets, Define, attempt_in};
 
-use super::{LIBRARY, MODEL, SCENE, folder, load_all, planned, shipped, with_family};
+use super::planning::{LIBRARY, MODEL, SCENE, folder, load_all, planned, shipped, with_family};
 
 fn names(text: &str) -> Vec<String> {
     let folder = with_family(text);

@@ -2,7 +2,7 @@
 
 use lucerna::app::variants::record::State;
 
-use super::command::{answer, command, done, folder, run};
+use super::{answer, command, done, folder, run};
 
 const FAMILY: &str = r#"(extends: "a.ron", sweep: {"materials.grey.ns": [5, 50]})"#;
 

@@ -1,15 +1,14 @@
-//! Families of scenes: their files, how members share what they have in common, what is told of them, the command that renders
-//! them, and its answers.
+//! Families of scenes: their files, the command that renders them, and its answers.
 
 #[cfg(unix)]
 mod browser;
-mod command;
 mod compete;
 mod files;
 mod goals;
 mod hand;
 #[cfg(unix)]
 mod page;
+mod planning;
 mod race;
 mod resume;
 mod share;
@@ -17,59 +16,65 @@ mod sheet;
 mod table;
 mod wrong;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
 
-use lucerna::scene::variants::{Family, plan};
-use lucerna::scene::{Assets, Diagnostic, Diagnostics};
+use lucerna::app::variants::record::{Answer, Record, State};
 use tempfile::TempDir;
 
-/// A folder with files.
-fn folder(files: &[(&str, &str)]) -> TempDir {
+const SCENE: &str = r#"(
+    models: [(path: "a.obj")],
+    cameras: {
+        "front": (position: (0, 0, 3), look_at: (0, 0, 0), fov_y: 40),
+        "left": (position: (-1, 0.5, 3), look_at: (0, 0, 0), fov_y: 40),
+        "near": (position: (0.2, 0, 2), look_at: (0, 0, 0), fov_y: 40),
+    },
+    film: (size: (20, 12)),
+    render: (spp: 4, max_depth: 3),
+    environment: Constant((1, 1, 1)),
+    materials: { "grey": (kd: (0.5, 0.5, 0.5)) },
+)
+"#;
+const OBJ: &str = "mtllib a.mtl\no thing\nusemtl grey\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n";
+const MTL: &str = "newmtl grey\nKd 0.6 0.6 0.6\nKs 0.2 0.2 0.2\nNs 20\n";
+
+/// A folder with a small scene, and a family of it.
+fn folder(family: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        let path = folder.path().join(name);
-        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        std::fs::write(path, text).unwrap();
+    for (file, text) in [("a.ron", SCENE), ("a.obj", OBJ), ("a.mtl", MTL), ("fam.ron", family)] {
+        std::fs::write(folder.path().join(file), text).unwrap();
     }
     folder
 }
 
-/// A scene that is a lit triangle.
-const SCENE: &str = r#"(
-    models: [(path: "a.obj")],
-    cameras: { "front": (position: (0, 0, 3), look_at: (0, 0, 0), fov_y: 40), "side": (position: (3, 0, 0), look_at: (0, 0, 0), fov_y: 40) },
-    film: (size: (8, 6)),
-    render: (spp: 2, max_depth: 3),
-    environment: Constant(1.0),
-)"#;
-
-const MODEL: &str = "mtllib a.mtl\nusemtl a\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
-
-const LIBRARY: &str = "newmtl a\nKd 0.5 0.4 0.3\nKs 0.1 0.1 0.1\nNs 20\n";
-
-/// A folder with that scene, and a variant file `v.ron`.
-fn with_family(text: &str) -> TempDir {
-    folder(&[("a.ron", SCENE), ("a.obj", MODEL), ("a.mtl", LIBRARY), ("v.ron", text)])
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
+    command.arg("variants").arg("fam.ron").args(arguments).current_dir(folder).stdin(Stdio::null());
+    command
 }
 
-fn planned(folder: &Path) -> Result<Family, Diagnostics> {
-    plan(&folder.join("v.ron"), &[], &Assets::new())
+/// Runs the command to its end.
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let run = command(folder, arguments).output().unwrap();
+    let said = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert!(!said.contains("panicked"), "{arguments:?}: {said}");
+    run
 }
 
-/// The errors of all members as they are loaded.
-fn load_all(family: &Family) -> Vec<(String, Option<Vec<Diagnostic>>)> {
-    let assets = Assets::new();
-    let load = |member: &lucerna::scene::variants::Member| {
-        let loaded = lucerna::scene::attempt_in(&family.scene, &member.defines, &Default::default(), &assets).0;
-        (member.name.clone(), loaded.err().map(|found| found.list))
-    };
-    family.members.iter().map(load).collect()
+/// The same with `--json --quiet`, which is to end with a code.
+fn answer(folder: &Path, arguments: &[&str], code: i32) -> Answer {
+    let run = run(folder, &[&["--json", "--quiet"], arguments].concat());
+    let said = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert_eq!(run.status.code(), Some(code), "{arguments:?}: {said}");
+    serde_json::from_slice(&run.stdout).unwrap()
 }
 
-fn shipped() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/variants");
-    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let mut files: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|e| e == "ron")).collect();
-    files.sort();
-    files
+fn member<'a>(answer: &'a Answer, name: &str) -> &'a Record {
+    answer.records.iter().find(|record| record.name == name).unwrap()
+}
+
+/// Names of those that are done.
+fn done(answer: &Answer) -> Vec<&str> {
+    let done = answer.records.iter().filter(|record| record.state == State::Done);
+    done.map(|record| record.name.as_str()).collect()
 }

@@ -6,7 +6,7 @@ use std::process::Stdio;
 
 use lucerna::app::variants::record::{Answer, State};
 
-use super::command::{answer, command, done, folder, member, run};
+use super::{answer, command, done, folder, member, run};
 use crate::support::patience::Patience;
 
 const FAMILY: &str = r#"(
@@ -81,7 +81,7 @@ fn a_run_that_is_killed_goes_on_and_ends_as_an_undisturbed_one() {
     std::fs::write(members.join("50_left.png"), b"").unwrap();
     let touched = answer(folder.path(), &["--out", "cut"], 0);
     assert_eq!(lasting(&touched), lasting(&whole));
-    std::fs::write(folder.path().join("a.mtl"), super::command::MTL.replace("0.6", "0.3")).unwrap();
+    std::fs::write(folder.path().join("a.mtl"), super::MTL.replace("0.6", "0.3")).unwrap();
     let edited = run(folder.path(), &["--out", "cut", "--list"]);
     assert_eq!(String::from_utf8(edited.stdout).unwrap().matches("to be rendered").count(), 9);
 }

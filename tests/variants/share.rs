@@ -10,7 +10,7 @@ use lucerna::scene::variants::plan;
 use lucerna::scene::{self, Assets};
 use lucerna::shader::Library;
 
-use super::command::{answer, done, folder, member};
+use super::{answer, done, folder, member, run};
 use crate::support::gpu;
 
 /// Numbers of a material, cameras and samplers: 18 members.
@@ -103,4 +103,35 @@ fn folders_of_shaders_keep_the_tree() {
     let [same, other, again] = ["same", "other", "again"].map(|name| member(&answer, name));
     assert!((other.mean[0] / same.mean[0] - 2.0).abs() < 1e-3 && same.mean == again.mean);
     assert!(again.work.compiled.is_empty());
+}
+
+#[test]
+fn folders_of_shaders_are_laid_over_the_shipped_ones_and_values_set() {
+    let family = r#"(extends: "a.ron", sweep: { "shader.TWICE": [1, 2] }, overrides: { "shaders": "bright" },
+        members: { "shipped": { "shaders": None } })"#;
+    let folder = folder(family);
+    let path = std::fs::read_to_string("shaders/passes/trace/path.wgsl").unwrap();
+    let (right, wrong) = ("(*state).radiance += light;", "(*state).radiance += TWICE * light;");
+    let head = "@compute @workgroup_size(8, 8)";
+    assert!(path.contains(right) && path.contains(head));
+    let text = path.replace(right, wrong).replace(head, &format!("override TWICE: f32 = 1.0;\n\n{head}"));
+    std::fs::create_dir_all(folder.path().join("bright/passes/trace")).unwrap();
+    std::fs::write(folder.path().join("bright/passes/trace/path.wgsl"), text).unwrap();
+    // The member without the folder has no such value.
+    let family = std::fs::read_to_string(folder.path().join("fam.ron")).unwrap();
+    std::fs::write(folder.path().join("fam.ron"), family.replace("\"shaders\": None", "\"shader.TWICE\": 4")).unwrap();
+    let shaders = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders");
+    let answer = answer(folder.path(), &["--shaders", shaders.to_str().unwrap()], 0);
+    let mean = |name: &str| member(&answer, name).mean[0];
+    assert!((mean("2") / mean("1") - 2.0).abs() < 1e-3, "{} {}", mean("1"), mean("2"));
+    assert!((mean("shipped") / mean("1") - 4.0).abs() < 1e-3);
+
+    std::fs::write(
+        folder.path().join("fam.ron"),
+        r#"(extends: "a.ron", sweep: { "shader.THRICE": [1, 2] }, overrides: { "shaders": "bright" })"#,
+    )
+    .unwrap();
+    let run = run(folder.path(), &["--list"]);
+    let said = String::from_utf8_lossy(&run.stderr).into_owned() + &String::from_utf8_lossy(&run.stdout);
+    assert!(said.contains("override THRICE"), "{said}");
 }

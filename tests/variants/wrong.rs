@@ -1,6 +1,6 @@
 //! Variant files that are wrong: each is told of at its place, with what to do.
 
-use super::{SCENE, folder, load_all, planned, with_family};
+use super::planning::{SCENE, folder, load_all, planned, with_family};
 
 /// The one error of a file, as it is shown.
 fn error(text: &str) -> String {

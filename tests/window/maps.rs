@@ -10,7 +10,7 @@ use lucerna::components::{Channel, Maps, Material, Name, Reading, Texture, Textu
 use lucerna::scene::{MapUse, MtlMaterial, SceneDescription, TextureMap, apply, describe, load};
 
 /// A scene whose material has two maps, one of which counts alone, and the texture of another file.
-fn description() -> SceneDescription {
+pub fn description() -> SceneDescription {
     let mut scene = load(Path::new("assets/scenes/cornell-data.ron"), &[]).unwrap().description;
     let material = scene.materials.values_mut().next().unwrap();
     material.kd = Vec3::ONE;

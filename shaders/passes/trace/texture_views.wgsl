@@ -1,17 +1,11 @@
 // What views show of textures.
 
-import package::gen::{Hit, MaterialMaps, TEXEL_KIND, TEXEL_SLOPES, Triangle};
+import package::gen::{Hit, TEXEL_KIND, TEXEL_SLOPES, Triangle};
 import package::lib::texture::{level_of, nearest_texel};
 import package::passes::trace::textures::{load_maps, load_texel, load_texture, load_uvs, look_up_colour, texture_point};
 
 // Half of the way between two texels: the nearest, as far as one number says.
 const MIDDLE: f32 = 0.5;
-
-// The first texture that a material has, or 0.
-fn first_map(maps: MaterialMaps) -> u32 {
-    let relief = select(select(select(maps.metallic, maps.lobe, maps.lobe != 0u), maps.opacity, maps.opacity != 0u), maps.relief, maps.relief != 0u);
-    return select(select(select(relief, maps.emission, maps.emission != 0u), maps.specular, maps.specular != 0u), maps.diffuse, maps.diffuse != 0u);
-}
 
 fn uv_at(triangle: Triangle, hit: Hit) -> vec2<f32> {
     let point = texture_point(load_uvs(triangle.index), hit.b1, hit.b2);
@@ -35,7 +29,7 @@ fn textured_albedo(kd: vec3<f32>, ks: vec3<f32>, triangle: Triangle, hit: Hit) -
 
 // The texel of the material's first map, as light; black without any. Slopes are shown about a grey.
 fn texel_at(triangle: Triangle, hit: Hit) -> vec3<f32> {
-    let map = first_map(load_maps(triangle.material));
+    let map = load_maps(triangle.material).shown;
     if (map == 0u) {
         return vec3<f32>(0.0);
     }
@@ -47,7 +41,7 @@ fn texel_at(triangle: Triangle, hit: Hit) -> vec3<f32> {
 
 // The level of the material's first map, for a footprint of such a width, scene units; 0 without any.
 fn level_at(triangle: Triangle, hit: Hit, width: f32) -> f32 {
-    let map = first_map(load_maps(triangle.material));
+    let map = load_maps(triangle.material).shown;
     if (map == 0u) {
         return 0.0;
     }

@@ -12,7 +12,7 @@ pub(super) mod output;
 pub(super) mod pictures;
 pub(super) mod plot;
 pub(super) mod progress;
-pub(super) mod scene;
+pub mod scene;
 pub(super) mod seconds;
 pub(super) mod settings;
 pub mod textures;

@@ -10,8 +10,8 @@ use super::settings::SettingFlags;
 use super::values::define;
 use crate::scene::settings::Settings;
 use crate::scene::{self, Define, Loading, SceneDescription};
-use crate::shader::{Library, ShaderError};
-use crate::watch::{Sources, WatchedScene};
+use crate::shader::{Layers, Library, ShaderError};
+use crate::watch::{Adjust, Sources, WatchedScene};
 
 /// What every command that draws a scene takes beside its name.
 #[derive(Args, Clone, Debug, Default)]
@@ -68,22 +68,27 @@ impl SceneFlags {
 
     /// What an engine that runs the scene with `library` is to watch.
     pub fn sources(&self, opened: Opened, library: Library) -> Sources {
-        let flags = self.clone();
-        // A flag that does not fit the edited scene is left out: the rest of the scene is worth seeing.
-        let adjust = Box::new(move |description: &mut SceneDescription| drop(flags.adjust(description)));
-        let file = WatchedScene::file(opened.path, self.define.clone(), adjust);
+        let file = WatchedScene::file(opened.path, self.define.clone(), self.adjusting());
         Sources {
-            shaders: self.shader_folder().map(|folder| (folder.to_path_buf(), library)),
+            shaders: self.shader_folder().map(|folder| (Layers::folder(folder), library)),
             scene: Some((file, opened.description, opened.files)),
         }
     }
 
-    fn shader_folder(&self) -> Option<&Path> {
+    /// What the flags say over a scene that was read again. One that does not fit the edited scene is left out: the rest of the scene is
+    /// worth seeing.
+    pub fn adjusting(&self) -> Adjust {
+        let flags = self.clone();
+        Box::new(move |description: &mut SceneDescription| drop(flags.adjust(description)))
+    }
+
+    /// The folder of shaders; none where the built-in ones are drawn with.
+    pub fn shader_folder(&self) -> Option<&Path> {
         self.shaders.as_deref().or_else(|| Library::local_folder())
     }
 
     /// Applies the flags to the scene, over what its file and the defines say.
-    fn adjust(&self, description: &mut SceneDescription) -> Result<(), Failure> {
+    pub fn adjust(&self, description: &mut SceneDescription) -> Result<(), Failure> {
         if let Some(name) = &self.camera {
             choose_camera(description, name)?;
         }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::compiling::watch_compiling;
 use super::interrupt::Interrupt;
 use super::progress::Meter;
 use crate::components::{Film, Render};
@@ -32,6 +33,11 @@ impl Tracer {
     pub fn open(gpu: &Arc<Gpu>, library: &Library, description: &SceneDescription) -> Result<Self, EngineError> {
         let engine = Engine::open(gpu.clone(), library.clone(), description)?;
         Ok(Self { engine, render: description.render })
+    }
+
+    /// Has a meter show how long shaders are compiled, where a step has to wait for that.
+    pub fn show_compiling(&mut self, meter: &Meter) {
+        self.engine.on_compiling(watch_compiling(meter.show_compiling()));
     }
 
     /// Changes the settings, number of samples included: where they are others than before, the film starts anew.

@@ -1,4 +1,4 @@
-//! The shaders of members: each folder is read once. A member's own is laid over that of the others, and need hold only what differs.
+//! The shaders of members: each folder is read once.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -32,11 +32,10 @@ impl Codes {
         if let Some(number) = self.numbers.get(&wanted) {
             return Ok(*number);
         }
-        let base = self.read(None)?;
-        let library = match &member.shaders {
-            Some(folder) => self.read(Some(folder))?.laid_over(&base),
-            None => base,
-        };
+        let mut library = self.opened(self.folder.clone())?;
+        if let Some(folder) = &member.shaders {
+            library = self.opened(Some(folder.clone()))?.laid_over(&library);
+        }
         let library = library.with_values(&member.values).map_err(|error| error.to_string())?;
         // Another folder of the same files is the same code.
         let known = self.libraries.iter().position(|known| known.is_same(&library));
@@ -48,13 +47,10 @@ impl Codes {
         Ok(number)
     }
 
-    /// A folder as it is; without one, what members have that have none of their own.
-    fn read(&mut self, folder: Option<&PathBuf>) -> Result<Library, String> {
-        let open = || match folder.or(self.folder.as_ref()) {
-            Some(folder) => Library::open(folder),
-            None => Ok(Library::embedded()),
-        };
-        let library = self.folders.entry(folder.cloned()).or_insert_with(open);
+    /// A folder as it is by itself; the built-in shaders without one.
+    fn opened(&mut self, folder: Option<PathBuf>) -> Result<Library, String> {
+        let read = || folder.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open);
+        let library = self.folders.entry(folder.clone()).or_insert_with(read);
         library.clone().map_err(|error| error.to_string())
     }
 

@@ -199,7 +199,7 @@ fn member(
     Ok(Some((record, traced.film, described.metadata())))
 }
 
-/// The command that renders a member alone. `render` lays no folder over another, and sets no values of shaders.
+/// The command that renders a member alone. `render` sets no values of shaders, and takes folders that are whole.
 pub fn repeat(family: &Family, subject: &Subject, described: &Described) -> String {
     match subject.member.values.is_empty() && subject.member.shaders.is_none() {
         true => described.repeat(),

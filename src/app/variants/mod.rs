@@ -16,7 +16,7 @@ mod arguments;
 mod blank;
 mod board;
 mod code;
-mod find;
+pub mod find;
 mod jobs;
 mod keys;
 mod list;

@@ -11,7 +11,7 @@ pub const DEFAULT_SCENE: &str = "cornell-box";
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
 pub struct ViewArguments {
-    /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
+    /// A scene file (.ron), a variant file (.ron), a model (.obj), or the name of a file in assets/scenes or assets/variants
     #[arg(default_value = DEFAULT_SCENE)]
     pub scene: String,
     #[command(flatten)]

@@ -17,6 +17,8 @@ pub enum Intent {
     /// The distance is multiplied by this.
     Zoom(f64),
     FrameAll,
+    /// The member of the family that is so many places farther.
+    Member(i32),
     /// A camera of the scene, by its place in the order of names, from 0.
     Camera(usize),
     Restart,
@@ -152,6 +154,8 @@ impl Controls {
                 "f" => Some(Intent::FrameAll),
                 "r" => Some(Intent::Restart),
                 "c" => Some(Intent::PrintCamera),
+                "[" => Some(Intent::Member(-1)),
+                "]" => Some(Intent::Member(1)),
                 "j" => Some(Intent::Judge),
                 "v" => Some(Intent::Split),
                 "b" => Some(Intent::Exposure(if self.shift { -0.5 } else { 0.5 })),

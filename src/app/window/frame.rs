@@ -41,6 +41,7 @@ impl Session {
         let before = self.traced();
         if self.engine.has_saves() {
             self.end_judging();
+            self.keep_seen();
         }
         // Judging has the device to itself.
         if self.activity.working && !self.judgement.is_under_way() {
@@ -67,7 +68,7 @@ impl Session {
     }
 
     /// How the picture lies on the window: a crop keeps its shape, any other film is as large as the window.
-    fn fit(&mut self) -> Fit {
+    pub(super) fn fit(&mut self) -> Fit {
         let crop = self.engine.settings().is_some_and(|(film, _)| film.crop.is_some());
         if crop { Fit::Letterbox } else { Fit::Fill }
     }
@@ -168,11 +169,12 @@ impl Session {
     fn draw(&mut self) -> Result<(), EngineError> {
         let begin = Instant::now();
         let fit = self.fit();
-        let Session { screen, engine, overlay, panel, judgement, .. } = self;
+        let name = self.name().to_owned();
+        let Session { screen, engine, overlay, panel, judgement, members, .. } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
-                outcome.add(panel.show(ui, engine));
+                outcome.add(panel.show(ui, engine, members.as_ref().map(|members| (members, name.as_str()))));
             }
             overlay.show(ui.ctx(), judgement.line());
         });
@@ -200,6 +202,9 @@ impl Session {
         if let Some(name) = outcome.camera {
             self.choose_camera(&name, now);
         }
+        if let Some(name) = outcome.member {
+            self.choose_member(&name);
+        }
     }
 
     /// Says in the title how far the film is, twice a second and when it is finished.
@@ -210,6 +215,7 @@ impl Session {
         }
         self.titled = Some(Instant::now());
         let Progress { spp, target, .. } = progress;
-        self.window.set_title(&format!("{}: {spp} of {target} spp (F1 for keys) - Lucerna", self.name()));
+        let name = self.place_of(self.name());
+        self.window.set_title(&format!("{name}: {spp} of {target} spp (F1 for keys) - Lucerna"));
     }
 }

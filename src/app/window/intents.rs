@@ -36,6 +36,7 @@ impl Session {
                     self.choose_camera(name, now);
                 }
             }
+            Intent::Member(by) => self.step_member(by),
             Intent::Restart => {
                 self.engine.restart_film();
                 self.resume();

@@ -41,6 +41,9 @@ impl Session {
 
     /// Shows the pictures of before and after side by side, or ends that.
     pub(super) fn toggle_split(&mut self) {
+        if self.family().is_some() && !self.judgement.is_shown() {
+            return self.toggle_pair();
+        }
         self.judgement.split = !self.judgement.split;
         let shown = self.judgement.picture();
         if self.judgement.split && shown.is_none() {

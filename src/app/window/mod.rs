@@ -14,6 +14,7 @@
 //! | `controls`, `keys` | events to intents; the table of keys |
 //! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
+//! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
 //! | `saves`, `judge`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
 //! | `panel` | numbers, curves, sliders |
 
@@ -24,6 +25,7 @@ mod cameras;
 mod controls;
 mod display;
 mod failures;
+pub mod family;
 pub mod flight;
 mod frame;
 mod intents;
@@ -31,10 +33,12 @@ mod judge;
 mod judgement;
 mod judging;
 pub mod keys;
+mod members;
 pub mod navigate;
 mod overlay;
 pub mod pace;
-mod panel;
+pub mod pair;
+pub mod panel;
 mod reason;
 mod saves;
 mod screen;
@@ -45,11 +49,17 @@ pub mod viewpoint;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod wayland;
 
+use std::path::PathBuf;
+
+use super::variants::find::find as find_variants;
 use super::{Exit, Failure};
+use crate::scene::variants::is_family;
+use crate::scene::{self, Assets};
 
 use application::Application;
 pub use arguments::ViewArguments;
 pub use display::has_display;
+use family::Family;
 use session::Opening;
 
 /// The loop of events ended by itself.
@@ -60,9 +70,21 @@ struct Ended(winit::error::EventLoopError);
 /// Opens a window on a scene, and returns once it is closed.
 pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
     let events = display::open()?;
-    let opened = arguments.flags.open(&arguments.scene, false)?;
-    let wake = events.create_proxy();
-    let mut application = Application::new(Opening::new(opened, arguments.flags.clone(), wake));
+    let (wake, flags) = (events.create_proxy(), arguments.flags.clone());
+    let opening = match variant_file(&arguments.scene) {
+        Some(path) => {
+            let (family, opened, library) = Family::open(&path, &flags)?;
+            Opening::new(opened, flags, wake).of_family(family, library)
+        }
+        None => Opening::new(flags.open(&arguments.scene, false)?, flags, wake),
+    };
+    let mut application = Application::new(opening);
     events.run_app(&mut application).map_err(|error| Failure::of(Ended(error)))?;
     application.outcome()
+}
+
+/// The variant file that a path or a name means; none where it means a scene, or nothing.
+fn variant_file(name: &str) -> Option<PathBuf> {
+    let path = scene::find(name).or_else(|_| find_variants(name)).ok()?;
+    is_family(&path, &Assets::new()).then_some(path)
 }

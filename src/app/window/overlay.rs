@@ -6,6 +6,7 @@ use egui::{Align2, Color32, Context, RichText};
 use glam::UVec2;
 
 use super::keys::KEYS;
+use super::pair::Seen;
 
 /// How long a notice is shown.
 const NOTICE: Duration = Duration::from_secs(4);
@@ -25,12 +26,15 @@ pub struct Overlay {
     split: Option<(UVec2, Vec<[u8; 4]>)>,
     /// The same, once it was drawn.
     drawn: Option<egui::TextureHandle>,
+    /// What was shown before, over the left half of the film; and what to say of both.
+    pair: Option<(Seen, String)>,
+    drawn_pair: Option<egui::TextureHandle>,
 }
 
 impl Overlay {
     /// Whether nothing of it is to be seen.
     pub fn is_empty(&self) -> bool {
-        !self.help && self.notice.is_none() && self.problems.is_empty() && self.split.is_none()
+        !self.help && self.notice.is_none() && self.problems.is_empty() && self.split.is_none() && self.pair.is_none()
     }
 
     /// Says something at the bottom of the window, for a while.
@@ -55,12 +59,23 @@ impl Overlay {
         (self.split, self.drawn) = (picture, None);
     }
 
+    /// Shows what was seen before beside the film of the scene `now` from now on.
+    pub fn show_pair(&mut self, before: Option<&Seen>, now: &str) {
+        let pair = before.map(|before| (before.clone(), format!("{} | {now}", before.name)));
+        if self.pair != pair {
+            (self.pair, self.drawn_pair) = (pair, None);
+        }
+    }
+
     /// Draws it, and a line about what is judged. Takes no input but for selecting the text of problems.
     pub fn show(&mut self, context: &Context, judged: Option<&str>) {
+        self.draw_pair(context);
         self.draw_split(context);
         show_problems(context, &self.problems);
         if let Some(judged) = judged {
             show_line(context, "judged", Align2::CENTER_TOP, judged);
+        } else if let Some((_, names)) = &self.pair {
+            show_line(context, "pair", Align2::CENTER_TOP, names);
         }
         if let Some(notice) = &self.notice {
             show_line(context, "notice", Align2::CENTER_BOTTOM, notice);
@@ -74,18 +89,43 @@ impl Overlay {
 impl Overlay {
     fn draw_split(&mut self, context: &Context) {
         let Some((size, pixels)) = &self.split else { return };
-        let texture = self.drawn.get_or_insert_with(|| {
-            let size = [size.x as usize, size.y as usize];
-            let image = egui::ColorImage::from_rgba_unmultiplied(size, pixels.as_flattened());
-            context.load_texture("split", image, egui::TextureOptions::NEAREST)
-        });
+        let texture = self.drawn.get_or_insert_with(|| texture(context, "split", *size, pixels));
         let rect = context.viewport_rect();
         let painter = context.layer_painter(egui::LayerId::background());
-        let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
-        painter.image(texture.id(), rect, whole, Color32::WHITE);
-        let line = egui::Stroke::new(1.0, Color32::WHITE);
-        painter.vline(rect.center().x, rect.y_range(), line);
+        painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
+        painter.vline(rect.center().x, rect.y_range(), LINE);
     }
+
+    /// The left half, as it lay on the window; black where nothing did.
+    fn draw_pair(&mut self, context: &Context) {
+        let Some((seen, _)) = &self.pair else { return };
+        let texture = self.drawn_pair.get_or_insert_with(|| texture(context, "pair", seen.size, &seen.pixels));
+        let rect = context.viewport_rect();
+        let left = egui::Rect::from_min_max(rect.min, egui::pos2(rect.center().x, rect.max.y));
+        let points = context.pixels_per_point();
+        let window = (glam::vec2(rect.width(), rect.height()) * points).round().as_uvec2();
+        let (min, extent) = seen.fit.place(seen.size, window);
+        let place = egui::Rect::from_min_size(
+            rect.min + egui::vec2(min.x, min.y) / points,
+            egui::vec2(extent.x, extent.y) / points,
+        );
+        let painter = context.layer_painter(egui::LayerId::background()).with_clip_rect(left);
+        painter.rect_filled(left, 0.0, Color32::BLACK);
+        painter.image(texture.id(), place, WHOLE, Color32::WHITE);
+        context.layer_painter(egui::LayerId::background()).vline(left.right(), rect.y_range(), LINE);
+    }
+}
+
+/// All of a texture.
+const WHOLE: egui::Rect = egui::Rect { min: egui::pos2(0.0, 0.0), max: egui::pos2(1.0, 1.0) };
+
+/// Between two pictures.
+const LINE: egui::Stroke = egui::Stroke { width: 1.0, color: Color32::WHITE };
+
+fn texture(context: &Context, name: &str, size: UVec2, pixels: &[[u8; 4]]) -> egui::TextureHandle {
+    let size = [size.x as usize, size.y as usize];
+    let image = egui::ColorImage::from_rgba_unmultiplied(size, pixels.as_flattened());
+    context.load_texture(name, image, egui::TextureOptions::NEAREST)
 }
 
 /// A line of text at an edge of the window.

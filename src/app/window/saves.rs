@@ -11,7 +11,12 @@ impl Session {
     /// Follows the events of the engine's last step. Each failure goes to the terminal once, and stands over the picture
     /// until it is mended.
     pub(super) fn follow_saves(&mut self) {
-        for event in self.engine.events() {
+        let events = self.engine.events();
+        if events.is_empty() {
+            return;
+        }
+        let member = self.follow_member();
+        for event in events {
             match event {
                 ReloadEvent::Failed { problems, .. } => {
                     problems.iter().for_each(|problem| show(&*problem.diagnostic));
@@ -22,6 +27,7 @@ impl Session {
                     warnings.iter().for_each(|warning| show(&*warning.diagnostic));
                     let names: Vec<_> = files.iter().filter_map(|file| file.file_name()).collect();
                     let what = match names.as_slice() {
+                        _ if member.is_some() => member.clone().unwrap_or_default(),
                         [] => "everything".to_owned(),
                         [one] => one.to_string_lossy().into_owned(),
                         [one, others @ ..] => format!("{} and {} more", one.to_string_lossy(), others.len()),

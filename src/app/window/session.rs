@@ -11,9 +11,11 @@ use super::activity::Activity;
 use super::cameras;
 use super::controls::Controls;
 use super::failures::Failures;
+use super::family::{Family, Listing};
 use super::judgement::Judgement;
 use super::overlay::Overlay;
 use super::pace;
+use super::pair::Pair;
 use super::panel::Panel;
 use super::screen::{Screen, physical_size};
 use super::tracing::Tracing;
@@ -33,8 +35,12 @@ pub struct Opening {
     /// The scene as it was read, to be watched.
     opened: Opened,
     flags: SceneFlags,
-    /// The shaders to go on with, where a device was lost; else they are read.
+    /// Those that the scene is a member of.
+    family: Option<Family>,
+    /// The shaders to go on with, where they were read already.
     shaders: Option<Library>,
+    /// A device was lost.
+    again: bool,
     /// Wakes the window when something was saved.
     wake: EventLoopProxy<()>,
 }
@@ -42,13 +48,21 @@ pub struct Opening {
 impl Opening {
     /// A scene as it was read.
     pub fn new(opened: Opened, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
-        Self { description: opened.description.clone(), opened, flags, shaders: None, wake }
+        Self { description: opened.description.clone(), opened, flags, family: None, shaders: None, again: false, wake }
+    }
+
+    /// A member of a family, and its shaders.
+    pub fn of_family(self, family: Family, shaders: Library) -> Self {
+        Self { family: Some(family), shaders: Some(shaders), ..self }
     }
 
     /// Watches the scene's files and the shaders. The window does without if that can't be done.
     fn watch(&self, engine: &mut Engine, library: Library) {
         let wake = self.wake.clone();
-        let sources = self.flags.sources(self.opened.clone(), library);
+        let sources = match &self.family {
+            Some(family) => family.sources(self.opened.clone(), library),
+            None => self.flags.sources(self.opened.clone(), library),
+        };
         let woken = move || {
             // A window that has gone has nothing to wake for.
             let _ = wake.send_event(());
@@ -78,6 +92,9 @@ pub struct Session {
     pub(super) textures: TextureNotices,
     /// The film is to be saved once each pixel has a sample.
     pub(super) saving: bool,
+    /// The members of the family, where the scene is one of them.
+    pub(super) members: Option<Listing>,
+    pub(super) pair: Pair,
     /// When the title was last set.
     pub(super) titled: Option<Instant>,
 }
@@ -85,7 +102,6 @@ pub struct Session {
 impl Session {
     /// Opens a device for the window, and the scene on it.
     pub fn open(window: Arc<Window>, opening: Opening) -> Result<Session, EngineError> {
-        let again = opening.shaders.is_some();
         let library = match &opening.shaders {
             Some(library) => library.clone(),
             None => opening.flags.library().map_err(GpuError::from)?,
@@ -95,7 +111,7 @@ impl Session {
         let mut engine = Engine::open(gpu.clone(), library.clone(), &opening.description)?;
         engine.set_live(true);
         opening.watch(&mut engine, library.clone());
-        if again {
+        if opening.again {
             // Files may have come to be named since the scene was first read.
             engine.reload();
         }
@@ -118,6 +134,8 @@ impl Session {
             failures: Failures::default(),
             textures: TextureNotices::default(),
             saving: false,
+            members: opening.family.as_ref().map(Family::listing),
+            pair: Pair::default(),
             opening,
             titled: None,
         })
@@ -135,16 +153,20 @@ impl Session {
         }
         let shaders = Some(self.engine.library());
         self.end_judging();
-        (self.window, Opening { description, opened, shaders, ..self.opening })
+        (self.window, Opening { description, opened, shaders, again: true, ..self.opening })
     }
 
     pub fn window(&self) -> &Window {
         &self.window
     }
 
-    /// The scene's name.
+    /// The scene's name; that of the member that is shown.
     pub(super) fn name(&self) -> &str {
-        &self.opening.description.name
+        self.engine.saved_scene().map_or(&self.opening.description.name, |scene| &scene.name)
+    }
+
+    pub(super) fn family(&self) -> Option<&Family> {
+        self.opening.family.as_ref()
     }
 
     pub(super) fn wake(&self) -> EventLoopProxy<()> {

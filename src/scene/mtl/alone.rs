@@ -25,50 +25,30 @@ struct Multiplied {
     number: fn(&mut MtlMaterial) -> Number<'_>,
 }
 
+impl Multiplied {
+    const fn new(
+        [key, map_key]: [&'static str; 2],
+        used: MapUse,
+        map: fn(&mut MtlMaterial) -> &mut Option<TextureMap>,
+        number: fn(&mut MtlMaterial) -> Number<'_>,
+    ) -> Self {
+        Self { key, map_key, used, map, number }
+    }
+}
+
 /// All of them but the exponent, which stays what it is by default.
 const MULTIPLIED: &[Multiplied] = &[
-    Multiplied {
-        key: "kd",
-        map_key: "map_kd",
-        used: MapUse::Colour,
-        map: |m| &mut m.maps.kd,
-        number: |m| Number::Colour(&mut m.kd, MtlMaterial::default().kd),
-    },
-    Multiplied {
-        key: "ks",
-        map_key: "map_ks",
-        used: MapUse::Colour,
-        map: |m| &mut m.maps.ks,
-        number: |m| Number::Colour(&mut m.ks, Vec3::ZERO),
-    },
-    Multiplied {
-        key: "ke",
-        map_key: "map_ke",
-        used: MapUse::Colour,
-        map: |m| &mut m.maps.ke,
-        number: |m| Number::Colour(&mut m.ke, Vec3::ZERO),
-    },
-    Multiplied {
-        key: "pr",
-        map_key: "map_pr",
-        used: MapUse::Number,
-        map: |m| &mut m.maps.pr,
-        number: |m| Number::Optional(&mut m.pr),
-    },
-    Multiplied {
-        key: "pm",
-        map_key: "map_pm",
-        used: MapUse::Number,
-        map: |m| &mut m.maps.pm,
-        number: |m| Number::One(&mut m.pm, 0.0),
-    },
-    Multiplied {
-        key: "d",
-        map_key: "map_d",
-        used: MapUse::Number,
-        map: |m| &mut m.maps.d,
-        number: |m| Number::One(&mut m.d, 1.0),
-    },
+    Multiplied::new(
+        ["kd", "map_kd"],
+        MapUse::Colour,
+        |m| &mut m.maps.kd,
+        |m| Number::Colour(&mut m.kd, MtlMaterial::default().kd),
+    ),
+    Multiplied::new(["ks", "map_ks"], MapUse::Colour, |m| &mut m.maps.ks, |m| Number::Colour(&mut m.ks, Vec3::ZERO)),
+    Multiplied::new(["ke", "map_ke"], MapUse::Colour, |m| &mut m.maps.ke, |m| Number::Colour(&mut m.ke, Vec3::ZERO)),
+    Multiplied::new(["pr", "map_pr"], MapUse::Number, |m| &mut m.maps.pr, |m| Number::Optional(&mut m.pr)),
+    Multiplied::new(["pm", "map_pm"], MapUse::Number, |m| &mut m.maps.pm, |m| Number::One(&mut m.pm, 0.0)),
+    Multiplied::new(["d", "map_d"], MapUse::Number, |m| &mut m.maps.d, |m| Number::One(&mut m.d, 1.0)),
 ];
 
 impl Number<'_> {

@@ -127,14 +127,14 @@ impl Context<'_> {
         let Some(first) = given.arguments.first() else { return Some("has no value that fits: it is left out") };
         let on = is_on(first);
         match given.option.to_ascii_lowercase().as_str() {
-            "-s" => map.scale = Vec2::from(self.numbers(given, 1.0, tally)),
-            "-o" => map.offset = Vec2::from(self.numbers(given, 0.0, tally)),
+            "-s" => map.scale = Vec2::from(self.numbers(given, [1.0; 2], tally)),
+            "-o" => map.offset = Vec2::from(self.numbers(given, [0.0; 2], tally)),
             "-t" if given.arguments.iter().any(|word| text::number(word) != Some(0.0)) => {
                 return Some("(turbulence) is not honoured: the map is looked up without it");
             }
             "-t" => {}
             "-mm" => {
-                let [base, gain] = self.numbers(given, 1.0, tally);
+                let [base, gain] = self.numbers(given, [0.0, 1.0], tally);
                 if matches!(self.used, MapUse::Colour | MapUse::Number) {
                     (map.base, map.gain) = (base, gain);
                 } else if (base, gain) != (0.0, 1.0) {
@@ -142,7 +142,7 @@ impl Context<'_> {
                 }
             }
             "-bm" => {
-                let [bump, _] = self.numbers(given, 1.0, tally);
+                let [bump, _] = self.numbers(given, [1.0; 2], tally);
                 match self.used {
                     MapUse::Bump => map.bump = bump,
                     MapUse::Normal if bump == 1.0 => {}
@@ -169,10 +169,10 @@ impl Context<'_> {
         None
     }
 
-    /// The first two numbers of an option; those that are not given, or are none, have a default.
-    fn numbers(&self, given: &Given, default: f32, tally: &mut Tally) -> [f32; 2] {
-        let mut values = [default; 2];
-        for (value, word) in values.iter_mut().zip(&given.arguments) {
+    /// The first two numbers of an option; those that are not given, or are none, have their defaults.
+    fn numbers(&self, given: &Given, defaults: [f32; 2], tally: &mut Tally) -> [f32; 2] {
+        let mut values = defaults;
+        for ((value, default), word) in values.iter_mut().zip(defaults).zip(&given.arguments) {
             match text::number(word).filter(|number| number.is_finite()) {
                 Some(number) if number.abs() <= f64::from(MOST) => *value = number as f32,
                 _ => tally.push("map options", || {

@@ -29,7 +29,7 @@ pub fn apply_defines<'a>(
     for (define, text) in defines.iter().zip(texts) {
         let (path, value) = text.text.split_at(define.path.len());
         let about = |path, error| about(define, path, error);
-        let value = parse_slice(text, &value[1..]).map_err(|error| about(path, error))?;
+        let value = parse_slice(text, &value[1..]).map_err(|error| about(path, unquoted(&value[1..], error)))?;
         let segments = segments(text, path)?;
         set(root, &Change { text, path: &segments, plain }, 0, value).map_err(|error| about(path, error))?;
     }
@@ -43,6 +43,18 @@ fn about(define: &Define, path: &str, error: Diagnostic) -> Diagnostic {
         Written::File { .. } => "in the change of",
     };
     Diagnostic { message: format!("{what} `{path}`: {}", error.message), ..error }
+}
+
+/// Adds how a text is written, where a value may be one without its quotes, which a shell takes away.
+fn unquoted(value: &str, error: Diagnostic) -> Diagnostic {
+    let is_text = value.contains(char::is_alphabetic)
+        && value.chars().all(|letter| letter.is_alphanumeric() || " ._-/\\:".contains(letter));
+    match is_text {
+        true => {
+            error.help(format!("a text stands in double quotes; for a shell, with single ones around: '\"{value}\"'"))
+        }
+        false => error,
+    }
 }
 
 /// The parts of a path, at its dots; a part in double quotes may hold dots itself.

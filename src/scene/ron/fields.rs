@@ -118,7 +118,12 @@ impl<'r, 'a> Fields<'r, 'a> {
         let asked = self.asked.borrow();
         for (name, place, node) in self.fields {
             if !asked.contains(&name.as_str()) {
-                let known: Vec<&str> = asked.iter().copied().collect();
+                let mut known: Vec<&str> = Vec::new();
+                for name in asked.iter() {
+                    if !known.contains(name) {
+                        known.push(name);
+                    }
+                }
                 let help = did_you_mean(name, known.iter().copied())
                     .unwrap_or_else(|| format!("known fields: {}", known.join(", ")));
                 let message = format!("unknown field `{}`", self.path_of(name));

@@ -43,6 +43,18 @@ pub struct Textures {
     pub messages: Diagnostics,
     /// Every file that a map names.
     pub files: Vec<PathBuf>,
+    /// Those of them that are cut short.
+    pub unfinished: Vec<PathBuf>,
+}
+
+impl Textures {
+    /// Says why there is no texture.
+    fn refuse(&mut self, error: &ReadError, place: Diagnostic) {
+        if matches!(error.fault, Fault::CutShort) {
+            self.unfinished.push(error.path.clone());
+        }
+        self.messages.push(refusal(error, place));
+    }
 }
 
 /// One file, whatever paths lead to it.
@@ -74,12 +86,12 @@ pub fn load<'m>(
     for (map, used) in maps.values() {
         let real = paths.entry(&map.file).or_insert_with(|| {
             result.files.push(map.file.clone());
-            // That a file is missing was told where it is named.
-            let real = map.file.canonicalize().ok()?;
+            // That a file is missing, or is none, was told where it is named.
+            let real = map.file.canonicalize().ok().filter(|real| real.is_file())?;
             if !sources.contains_key(&real) {
                 match open(&map.file, &real, assets) {
                     Ok(source) => drop(sources.insert(real.clone(), source)),
-                    Err(error) => result.messages.push(refusal(&error, place(&map.file))),
+                    Err(error) => result.refuse(&error, place(&map.file)),
                 }
             }
             sources.contains_key(&real).then_some(real)
@@ -90,7 +102,7 @@ pub fn load<'m>(
             source.codes = Codes::Srgb;
         }
     }
-    let pictures = pictures(sources, place, loading, assets, &mut result.messages);
+    let pictures = pictures(sources, place, loading, assets, &mut result);
     for (name, (map, used)) in maps {
         let real = paths.get(map.file.as_path()).and_then(Option::as_ref);
         if let Some(picture) = real.and_then(|real| pictures.get(real)) {
@@ -129,7 +141,7 @@ fn pictures(
     place: &dyn Fn(&Path) -> Diagnostic,
     loading: &Loading,
     assets: &Assets,
-    messages: &mut Diagnostics,
+    result: &mut Textures,
 ) -> BTreeMap<PathBuf, Picture> {
     let bytes: Vec<u64> = sources.values().map(|source| source.header.bytes).collect();
     let halvings = budget::halvings(&bytes, loading.texture_bytes);
@@ -151,7 +163,7 @@ fn pictures(
                 jobs.push(Job { file, reduction });
                 waiting.push((real, path, stamp.filter(|_| !young), codes));
             }
-            Err(error) => messages.push(refusal(&error, place(&path))),
+            Err(error) => result.refuse(&error, place(&path)),
         }
     }
     for ((real, path, stamp, codes), picture) in waiting.into_iter().zip(decode(jobs, loading.tell)) {
@@ -163,12 +175,12 @@ fn pictures(
                 assets.keep_picture(&real, stamp.as_ref(), &picture, true);
                 pictures.insert(real, (path, codes, picture));
             }
-            Err(error) => messages.push(refusal(&error, place(&path))),
+            Err(error) => result.refuse(&error, place(&path)),
         }
     }
     let told = |(real, (path, codes, picture)): (PathBuf, (PathBuf, Codes, Picture))| {
         let texts = texts(&picture, codes, loading.texture_bytes);
-        messages.list.extend(texts.iter().map(|text| warning(place(&path), &path, text)));
+        result.messages.list.extend(texts.iter().map(|text| warning(place(&path), &path, text)));
         (real, picture)
     };
     pictures.into_iter().map(told).collect()
@@ -206,8 +218,10 @@ fn texture(map: &TextureMap, reading: Reading, picture: &Picture) -> Texture {
     Texture { image: picture.image.clone(), reading, wrap, scale, offset, gain, base }
 }
 
+/// What is told of a file: "`a.png` is grey", or "`a.png`: its end is missing".
 fn warning(place: Diagnostic, path: &Path, text: &str) -> Diagnostic {
-    Diagnostic { severity: Severity::Warning, message: format!("`{}` {text}", path.display()), ..place }
+    let colon = if text.starts_with("its ") || text.starts_with("it ") { ":" } else { "" };
+    Diagnostic { severity: Severity::Warning, message: format!("`{}`{colon} {text}", path.display()), ..place }
 }
 
 /// Why there is no texture, and what to do.

@@ -1,4 +1,4 @@
-//! A family, understood: its axes, its members, and when they are done.
+//! What a variant file comes to: members, and what they are compared by.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;

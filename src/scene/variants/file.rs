@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use super::family::{Chosen, Goal};
 use super::sweep::{Swept, read_sweep};
 use super::values::place_of;
-use super::{Chosen, Goal};
 use crate::scene::assets::Assets;
 use crate::scene::define::{Define, Written};
 use crate::scene::diagnostic::{Diagnostic, Diagnostics, Severity};

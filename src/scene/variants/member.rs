@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use super::family::{Axis, Family, MOST_MEMBERS, Member};
 use super::file::{ByHand, FamilyFile};
 use super::label::label_of;
 use super::sweep::Swept;
 use super::target::change;
-use super::{Axis, Family, MOST_MEMBERS, Member};
 use crate::scene::define::{Define, Written};
 use crate::scene::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::scene::suggest::did_you_mean;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::Member;
+use super::family::Member;
 use crate::scene::define::{Define, Written};
 use crate::scene::diagnostic::{Diagnostic, Severity};
 use crate::scene::locate::{as_written, folder_of, near_names};

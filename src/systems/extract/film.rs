@@ -3,13 +3,14 @@
 use bevy_ecs::prelude::*;
 
 use super::step::Step;
+use super::surfaces::Surfaces;
 use crate::components::Film;
 use crate::gpu::GpuTable;
 use crate::layout::light::LightRecord;
-use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
-use crate::layout::trace::{MaterialRecord, Shading};
+use crate::layout::texture::{Tangents, TextureRecord};
+use crate::layout::trace::Shading;
 use crate::layout::tree::Triangle;
-use crate::systems::resources::{Exposure, FilmProgress, MeanEmission, Shot, Sky, Texel, Tree};
+use crate::systems::resources::{Exposure, FilmProgress, MeanEmission, Shot, Sky, Tree};
 use crate::systems::run::counted;
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -27,15 +28,11 @@ pub fn add_systems(schedule: &mut Schedule) {
 /// What the kernel reads.
 #[derive(bevy_ecs::system::SystemParam)]
 struct Seen<'w> {
-    triangles: Res<'w, GpuTable<Triangle>>,
+    surfaces: Surfaces<'w>,
     shading: Res<'w, GpuTable<Shading>>,
-    records: Res<'w, GpuTable<MaterialRecord>>,
     lights: Res<'w, GpuTable<LightRecord>>,
     means: Res<'w, GpuTable<MeanEmission>>,
     textures: Res<'w, GpuTable<TextureRecord>>,
-    texels: Res<'w, GpuTable<Texel>>,
-    maps: Res<'w, GpuTable<MaterialMaps>>,
-    uvs: Res<'w, GpuTable<CornerUvs>>,
     tangents: Res<'w, GpuTable<Tangents>>,
     sky: Res<'w, Sky>,
     shot: Res<'w, Shot>,
@@ -43,15 +40,11 @@ struct Seen<'w> {
 
 /// Any of it is another one.
 fn light_changed(seen: Seen) -> bool {
-    seen.triangles.is_changed()
+    seen.surfaces.are_others()
         || seen.shading.is_changed()
-        || seen.records.is_changed()
         || seen.lights.is_changed()
         || seen.means.is_changed()
         || seen.textures.is_changed()
-        || seen.texels.is_changed()
-        || seen.maps.is_changed()
-        || seen.uvs.is_changed()
         || seen.tangents.is_changed()
         || seen.sky.is_changed()
         || seen.shot.is_changed()

@@ -7,14 +7,15 @@ use bevy_ecs::prelude::*;
 use glam::Vec3;
 
 use super::step::Step;
+use super::surfaces::Surfaces;
 use crate::components::{Integrator, Texture};
 use crate::gpu::GpuTable;
 use crate::layout::light::{LightRecord, LightTable};
-use crate::layout::texture::{CornerUvs, MaterialMaps};
-use crate::layout::trace::{MaterialRecord, luminance};
+use crate::layout::texture::MaterialMaps;
+use crate::layout::trace::luminance;
 use crate::layout::tree::Triangle;
 use crate::prepare;
-use crate::systems::resources::{Everything, LightDensity, MeanEmission, Policy, Texel, TextureSlot};
+use crate::systems::resources::{Everything, LightDensity, MeanEmission, Policy, TextureSlot};
 use crate::systems::run::counted;
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -23,26 +24,14 @@ pub fn add_systems(schedule: &mut Schedule) {
 }
 
 /// Triangles, records, textures or the integrator changed.
-fn lights_changed(
-    everything: Res<Everything>,
-    triangles: Res<GpuTable<Triangle>>,
-    records: Res<GpuTable<MaterialRecord>>,
-    maps: Res<GpuTable<MaterialMaps>>,
-    uvs: Res<GpuTable<CornerUvs>>,
-    texels: Res<GpuTable<Texel>>,
-    policy: Res<Policy>,
-) -> bool {
-    let surfaces = records.is_changed() || maps.is_changed() || uvs.is_changed() || texels.is_changed();
-    everything.0 || triangles.is_changed() || surfaces || policy.is_changed()
+fn lights_changed(everything: Res<Everything>, surfaces: Surfaces, policy: Res<Policy>) -> bool {
+    everything.0 || surfaces.are_others() || policy.is_changed()
 }
 
 /// What lights are made of.
 #[derive(bevy_ecs::system::SystemParam)]
 struct Emitting<'w, 's> {
-    triangles: Res<'w, GpuTable<Triangle>>,
-    records: Res<'w, GpuTable<MaterialRecord>>,
-    maps: Res<'w, GpuTable<MaterialMaps>>,
-    uvs: Res<'w, GpuTable<CornerUvs>>,
+    surfaces: Surfaces<'w>,
     textures: Query<'w, 's, (&'static Texture, &'static TextureSlot)>,
 }
 
@@ -56,7 +45,7 @@ struct Lit<'w> {
 
 /// Makes the table anew. A scene whose integrator samples no lights has none.
 fn extract_lights(emitting: Emitting, policy: Res<Policy>, mut lit: Lit) {
-    let (records, triangles) = (emitting.records.rows(), emitting.triangles.rows());
+    let (records, triangles) = (emitting.surfaces.records.rows(), emitting.surfaces.triangles.rows());
     let emits: Vec<bool> = records.iter().map(|record| record.emission.max_element() > 0.0).collect();
     let table = match policy.integrator == Integrator::Path && emits.contains(&true) {
         true => {
@@ -69,7 +58,7 @@ fn extract_lights(emitting: Emitting, policy: Res<Policy>, mut lit: Lit) {
         false => LightTable::default(),
     };
     let mut means = Vec::new();
-    if !table.lights.is_empty() && emitting.maps.rows().iter().any(|maps| maps.emission != 0) {
+    if !table.lights.is_empty() && emitting.surfaces.maps.rows().iter().any(|maps| maps.emission != 0) {
         means.resize(triangles.len(), MeanEmission(0.0));
         for light in &table.lights {
             means[light.triangle as usize].0 = luminance(light.emission);
@@ -93,14 +82,14 @@ impl Emitting<'_, '_> {
             let texture = self.textures.iter().find(|(_, slot)| slot.index == index)?.0;
             Some(read.entry(index).or_insert_with(|| Rc::new(prepare::texture::mean_emission(texture))).clone())
         };
-        self.maps.rows().iter().zip(emits).map(&mut of).collect()
+        self.surfaces.maps.rows().iter().zip(emits).map(&mut of).collect()
     }
 
     /// What a triangle sends out on average.
     fn mean(&self, triangle: &Triangle, mapped: &[Option<Rc<prepare::texture::MeanEmission>>]) -> Vec3 {
         let material = triangle.material as usize;
-        let emission = self.records.rows()[material].emission;
-        match (mapped.get(material), self.uvs.rows().get(triangle.index as usize)) {
+        let emission = self.surfaces.records.rows()[material].emission;
+        match (mapped.get(material), self.surfaces.uvs.rows().get(triangle.index as usize)) {
             (Some(Some(map)), Some(uvs)) => emission * map.over([uvs.a, uvs.a + uvs.b, uvs.a + uvs.c]),
             _ => emission,
         }

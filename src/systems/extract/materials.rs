@@ -63,7 +63,8 @@ fn extract_materials(
     }
     let pack = |material: &Material, maps: MaterialMaps| {
         let record = prepare::material::pack(material, policy.energy);
-        prepare::texture::pack_maps(material, record, maps, policy.energy, policy.diffuse_map)
+        let (record, maps) = prepare::texture::pack_maps(material, record, maps, policy.energy, policy.diffuse_map);
+        (record, MaterialMaps { shown: maps.first(), ..maps })
     };
     let all = sorted.iter().map(|(_, _, material, maps, _)| pack(material, places(maps.copied(), &textures)));
     let all = all.chain([pack(&Material::default(), MaterialMaps::default())]);

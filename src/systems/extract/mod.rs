@@ -9,6 +9,7 @@ mod settings;
 mod shot;
 mod sky;
 mod step;
+mod surfaces;
 mod textures;
 mod uvs;
 

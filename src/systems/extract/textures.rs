@@ -1,6 +1,6 @@
 //! Textures to words and records: those that a mesh's material uses, by the order of their names.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bevy_ecs::prelude::*;
 
@@ -90,6 +90,7 @@ fn extract_textures(
     let room = device.0.gpu().most_bytes().min(u64::from(u32::MAX)) / 4;
     make_fit(&mut plans, room);
     let places = place(&plans, room);
+    let mut moved = moved(&plans, &places, texels.rows());
     let end = places.iter().zip(&plans).map(|(first, plan)| first + plan.words).max().unwrap_or(0);
     if end as usize != texels.len() {
         texels.resize(end as usize);
@@ -105,7 +106,7 @@ fn extract_textures(
         let slot = match held {
             Some(slot) => TextureSlot { index, brightest, ..slot.clone() },
             None => {
-                let (record, packed) = pack(plan.texture, total);
+                let (record, packed) = moved.remove(&plan.entity).unwrap_or_else(|| pack(plan.texture, total));
                 let record = TextureRecord { first: first as u32, ..record };
                 texels.write(first as usize, packed.into_iter().map(Texel));
                 TextureSlot { index, record, halvings: total, source: plan.texture.clone(), brightest }
@@ -128,6 +129,16 @@ fn extract_textures(
         records.set(all);
     }
     textures.set_if_neq(found);
+}
+
+/// The records and words of textures that are there already, but to be elsewhere: their places may become those of others.
+fn moved(plans: &[Plan], places: &[u64], texels: &[Texel]) -> BTreeMap<Entity, (TextureRecord, Vec<u32>)> {
+    let words = |(plan, first): (&Plan, &u64)| {
+        let record = plan.held.filter(|slot| plan.is_held() && u64::from(slot.record.first) != *first)?.record;
+        let held = texels.get(record.first as usize..)?.get(..plan.words as usize)?;
+        Some((plan.entity, (record, bytemuck::cast_slice(held).to_vec())))
+    };
+    plans.iter().zip(places).filter_map(words).collect()
 }
 
 /// Halves the largest textures until all of them fit.

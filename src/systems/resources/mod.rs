@@ -15,4 +15,4 @@ pub use scene::{
     Everything, Exposure, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief, SceneGeometry, Shot, Sky,
     SkyCell, SkySource, Target, Texel,
 };
-pub use textures::{TextureSlot, TextureUse, Textures};
+pub use textures::{TextureSlot, TextureUse, Textures, texture_set};

@@ -3,7 +3,10 @@
 use bevy_ecs::prelude::*;
 use glam::UVec2;
 
+use super::scene::{MeanEmission, Texel};
 use crate::components::Texture;
+use crate::cpu::texture::TextureSet;
+use crate::gpu::{GpuTable, TableRow};
 use crate::layout::texture::TextureRecord;
 
 /// Where a texture is: by the order of names of those that are used.
@@ -40,4 +43,20 @@ pub struct TextureUse {
     /// How many of these times for want of room.
     pub for_room: u32,
     pub bytes: u64,
+}
+
+/// What the twin looks textures up in: what the kernel is given of them.
+pub fn texture_set(world: &World) -> TextureSet<'_> {
+    TextureSet {
+        records: table(world),
+        words: bytemuck::cast_slice(table::<Texel>(world)),
+        maps: table(world),
+        uvs: table(world),
+        tangents: table(world),
+        mean_emission: bytemuck::cast_slice(table::<MeanEmission>(world)),
+    }
+}
+
+fn table<T: TableRow>(world: &World) -> &[T] {
+    world.resource::<GpuTable<T>>().rows()
 }

@@ -148,6 +148,7 @@ fn measure_scene(
         return Ok(());
     }
     let mut tracer = Tracer::open(gpu, library, &description)?;
+    tracer.show_compiling(&monitor.meter);
     let reference = match reference {
         Some(reference) => reference,
         None => {

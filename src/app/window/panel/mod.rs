@@ -4,7 +4,8 @@
 //! engine finds out by itself what it makes undone.
 
 mod maps;
-mod materials;
+pub mod materials;
+mod members;
 mod passes;
 mod pixel;
 mod progress;
@@ -15,6 +16,7 @@ use std::time::Instant;
 
 use glam::UVec2;
 
+use crate::app::window::family::Listing;
 use crate::engine::{Engine, EngineError};
 
 use readings::Readings;
@@ -28,6 +30,8 @@ pub struct Outcome {
     pub moved: bool,
     /// A camera was chosen.
     pub camera: Option<String>,
+    /// A member of the family was chosen.
+    pub member: Option<String>,
 }
 
 impl Outcome {
@@ -36,6 +40,7 @@ impl Outcome {
         self.edited |= later.edited;
         self.moved |= later.moved;
         self.camera = later.camera.or(self.camera.take());
+        self.member = later.member.or(self.member.take());
     }
 }
 
@@ -76,13 +81,16 @@ impl Panel {
         if self.open { self.readings.read(engine, pixel, began, now) } else { Ok(false) }
     }
 
-    /// Draws it, at the right side of the window.
-    pub fn show(&self, ui: &mut egui::Ui, engine: &mut Engine) -> Outcome {
+    /// Draws it, at the right side of the window. `family` are its members, and the name of the one that is shown.
+    pub fn show(&self, ui: &mut egui::Ui, engine: &mut Engine, family: Option<(&Listing, &str)>) -> Outcome {
         let mut outcome = Outcome::default();
         let fill = egui::Color32::from_rgba_unmultiplied(24, 24, 24, 235);
         let frame = egui::Frame::side_top_panel(ui.style()).fill(fill);
         egui::Panel::right("panel").frame(frame).default_size(300.0).show(ui, |ui| {
             egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                if let Some((list, shown)) = family {
+                    section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown));
+                }
                 section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
                 section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref()));
                 section(ui, "View", true, |ui| outcome.edited |= settings::view(ui, engine));

@@ -1,0 +1,95 @@
+//! A family of scenes in the window: one member of it runs, and another can be chosen.
+
+mod followed;
+mod listing;
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+pub use listing::Listing;
+
+use crate::app::Failure;
+use crate::app::shared::failure::show;
+use crate::app::shared::scene::{Opened, SceneFlags};
+use crate::scene::Diagnostics;
+use crate::shader::{Layers, Library};
+use crate::watch::{Attempt, Sources, WatchedScene};
+use followed::{Followed, SharedListing};
+
+/// A family that was opened.
+#[derive(Clone)]
+pub struct Family {
+    path: PathBuf,
+    flags: SceneFlags,
+    listing: SharedListing,
+    /// The shaders of the member that was opened.
+    layers: Layers,
+}
+
+impl Family {
+    /// Reads a variant file, and opens its first member that is right; those before it are told.
+    pub fn open(path: &Path, flags: &SceneFlags) -> Result<(Family, Opened, Library), Failure> {
+        let listing = Arc::new(Mutex::new(Listing::default()));
+        let followed = followed(path, flags, &listing);
+        let family = followed.plan()?;
+        *lock(&listing) = Listing::new(family.members.iter().map(|member| member.name.clone()).collect());
+        let mut wrong: Option<Diagnostics> = None;
+        for member in &family.members {
+            let Attempt { scene, files, shaders } = followed.load(&family, member);
+            match scene {
+                Ok(loaded) => {
+                    wrong.iter().flat_map(|errors| &errors.list).for_each(|error| show(error));
+                    loaded.warnings.iter().for_each(|warning| show(warning));
+                    let mut description = loaded.description;
+                    flags.adjust(&mut description)?;
+                    let layers = shaders.unwrap_or_default();
+                    let library = layers.read()?;
+                    lock(&listing).choose(&member.name);
+                    let opened = Opened { path: path.to_path_buf(), description, files };
+                    return Ok((
+                        Family { path: path.to_path_buf(), flags: flags.clone(), listing, layers },
+                        opened,
+                        library,
+                    ));
+                }
+                // What is wrong with all members is told once.
+                Err(errors) => drop(wrong.get_or_insert(errors)),
+            }
+        }
+        Err(wrong.unwrap_or_default().into())
+    }
+
+    /// What an engine that runs a member with `library` is to watch.
+    pub fn sources(&self, opened: Opened, library: Library) -> Sources {
+        let mut followed = followed(&self.path, &self.flags, &self.listing);
+        let scene = WatchedScene { read: Box::new(move || followed.read()), adjust: self.flags.adjusting() };
+        Sources {
+            shaders: Some((self.layers.clone(), library)),
+            scene: Some((scene, opened.description, opened.files)),
+        }
+    }
+
+    /// The members as the file had them last.
+    pub fn listing(&self) -> Listing {
+        lock(&self.listing).clone()
+    }
+
+    /// Wants the member that is `by` places farther, when the scene is read next.
+    pub fn step(&self, by: i32) {
+        lock(&self.listing).step(by);
+    }
+
+    /// Wants the member of a name.
+    pub fn choose(&self, name: &str) {
+        lock(&self.listing).choose(name);
+    }
+}
+
+fn followed(path: &Path, flags: &SceneFlags, listing: &SharedListing) -> Followed {
+    let shaders = flags.shader_folder().map(Path::to_path_buf);
+    Followed::new(path.to_path_buf(), flags.define.clone(), shaders, listing.clone())
+}
+
+fn lock(listing: &SharedListing) -> MutexGuard<'_, Listing> {
+    listing.lock().unwrap_or_else(PoisonError::into_inner)
+}
