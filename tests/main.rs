@@ -46,6 +46,7 @@ mod save;
 mod scene;
 mod scene_maps;
 mod schedule;
+mod schema;
 mod settings;
 mod setup;
 mod shader;

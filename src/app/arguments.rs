@@ -7,6 +7,7 @@ use super::check::CheckArguments;
 use super::compare::CompareArguments;
 use super::judge::JudgeArguments;
 use super::render::RenderArguments;
+use super::schema::SchemaArguments;
 use super::shared::values::EXIT_CODES;
 use super::variants::VariantsArguments;
 use super::watch::WatchArguments;
@@ -35,6 +36,8 @@ pub enum Command {
     Compare(CompareArguments),
     /// Check assets and shaders without rendering
     Check(CheckArguments),
+    /// Print what scene and variant files may hold, as JSON schemas
+    Schema(SchemaArguments),
     /// Say what there is to draw with, and what is missing
     Doctor,
     /// Measure how the error of scenes falls with samples and time, or time single stages of the engine

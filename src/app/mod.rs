@@ -9,6 +9,7 @@ mod compare;
 mod doctor;
 pub mod judge;
 mod render;
+mod schema;
 pub mod shared;
 pub mod variants;
 mod watch;
@@ -50,6 +51,7 @@ pub fn main() -> ExitCode {
         Command::Variants(family) => variants::run(&family),
         Command::Compare(comparison) => compare::run(&comparison),
         Command::Check(check) => check::run(&check),
+        Command::Schema(schema) => schema::run(&schema),
         Command::Doctor => doctor::run(),
         Command::Bench(bench) => bench.run(),
         Command::Judge(judge) => judge::run(&judge),

@@ -28,6 +28,7 @@ mod mtl;
 mod obj;
 mod read;
 mod ron;
+pub mod schema;
 pub mod settings;
 mod sky;
 mod suggest;

@@ -1,0 +1,96 @@
+//! The schema of scene files. Ranges that only one reader knows are left to it: it says what is wrong at its place.
+
+use schemars::{Schema, json_schema};
+
+use super::parts::{about, any, each, list, map, number, object, or_none, text, tuple, variant};
+use super::values::{keys, settings};
+use crate::scene::settings::Group;
+
+/// What a scene file may hold.
+pub fn scene() -> Schema {
+    let mut schema = object("A scene of Lucerna.", fields().map(|(name, schema)| (name, or_none(schema))), &[]);
+    schema.insert("$schema".to_owned(), "https://json-schema.org/draft/2020-12/schema".into());
+    schema.insert("title".to_owned(), "Scene file".into());
+    schema
+}
+
+fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
+    [
+        ("extends", text("a scene file, relative to this one: what this one says is written over it")),
+        ("models", list("what is in the scene", model())),
+        ("cameras", map("views, by name", or_none(camera()))),
+        ("camera", text("the view that is rendered; without it, the first by name")),
+        ("film", film()),
+        ("render", render()),
+        ("environment", environment()),
+        ("materials", map("changes of materials, by `name` or `model:name`", or_none(material()))),
+    ]
+    .into_iter()
+}
+
+pub fn film() -> Schema {
+    object("the picture", settings(Group::Film).map(|(name, schema)| (name, or_none(schema))), &[])
+}
+
+pub fn render() -> Schema {
+    object("how it is rendered", settings(Group::Render).map(|(name, schema)| (name, or_none(schema))), &[])
+}
+
+pub fn material() -> Schema {
+    object("numbers and maps of a material", keys().map(|(name, schema)| (name, or_none(schema))), &[])
+}
+
+pub fn model() -> Schema {
+    let fields = [
+        ("path", text("an .obj file, relative to the folder of the file that names it")),
+        ("name", or_none(text("first part of the names of its meshes and materials; without it, the file's"))),
+        ("transform", or_none(transform())),
+    ];
+    object("a model", fields, &["path"])
+}
+
+/// The turns about the axes.
+fn turns() -> impl Iterator<Item = (&'static str, Schema)> {
+    ["rotate_x", "rotate_y", "rotate_z"].into_iter().map(|name| (name, or_none(about("degrees", number()))))
+}
+
+fn transform() -> Schema {
+    let fields = [
+        ("matrix", or_none(about("three rows of four, instead of all else", tuple(3, tuple(4, number()))))),
+        ("scale", or_none(each(3, number()))),
+        ("translate", or_none(tuple(3, number()))),
+    ];
+    object("scale, then turns about x, y and z, then translation", fields.into_iter().chain(turns()), &[])
+}
+
+pub fn camera() -> Schema {
+    let fields = [
+        ("position", tuple(3, number())),
+        ("look_at", tuple(3, number())),
+        ("up", or_none(tuple(3, number()))),
+        ("fov_y", or_none(about("degrees from the bottom of the picture to its top", number()))),
+    ];
+    object("a view", fields, &["position", "look_at"])
+}
+
+pub fn environment() -> Schema {
+    let colour = || each(3, json_schema!({ "type": "number", "minimum": 0 }));
+    let map = [
+        (
+            "path",
+            text("an EXR, HDR or PNG by longitude and latitude, relative to the folder of the file that names it"),
+        ),
+        ("strength", or_none(number())),
+        ("tint", or_none(colour())),
+    ];
+    let map = object("light of a picture", map.into_iter().chain(turns()), &["path"]);
+    let day = [
+        ("sun", about("elevation and azimuth, degrees", tuple(2, number()))),
+        ("turbidity", or_none(about("haze, 1 to 10", number()))),
+        ("ground", or_none(colour())),
+        ("strength", or_none(number())),
+        ("sun_size", or_none(about("angle across the sun, degrees", number()))),
+    ];
+    let day = object("a clear day", day, &["sun"]);
+    any(vec![variant("Constant", colour()), variant("Map", map), variant("Sky", day)])
+}
