@@ -75,31 +75,78 @@ fn keys() -> Vec<(SampleKey, u32)> {
     keys
 }
 
-#[test]
-fn gpu_draws_what_the_twin_draws() {
-    let library = Library::shipped().with_layouts(&[&SamplerProbe::LAYOUT], &[]).with("tests/sampler", PROBE);
+/// Of each key, what a library's sampler gives the GPU: four dimensions; and two with one.
+fn drawn_by(library: Library, features: &[&str], keys: &[(SampleKey, u32)]) -> Vec<[DVec4; 2]> {
+    let library = library.with_layouts(&[&SamplerProbe::LAYOUT], &[]).with("tests/sampler", PROBE);
     let mut rig = Runtime::new(support::gpu(), library);
-    let keys = keys();
     let rows: Vec<UVec4> =
         keys.iter().flat_map(|(k, d)| [UVec4::new(k.pixel, k.index, k.half, k.seed), UVec4::splat(*d)]).collect();
     rig.upload("keys", &rows).unwrap();
     rig.reserve("drawn", rows.len() as u64 * 16).unwrap();
+    rig.set_features(features);
+    let mut recording = Recording::default();
+    let params = SamplerProbe { count: keys.len() as u32 };
+    recording.run(&DRAW_KEYS, Size::Items(keys.len() as u64)).params(&params);
+    rig.play(&recording).unwrap();
+    let got: Vec<Vec4> = rig.read_some("drawn", rows.len()).unwrap();
+    got.chunks_exact(2).map(|pair| [pair[0].as_dvec4(), pair[1].as_dvec4()]).collect()
+}
+
+#[test]
+fn gpu_draws_what_the_twin_draws() {
+    let keys = keys();
     for source in BOTH {
-        rig.set_features(if source == Source::Sobol { &["sobol"] } else { &[] });
-        let mut recording = Recording::default();
-        let params = SamplerProbe { count: keys.len() as u32 };
-        recording.run(&DRAW_KEYS, Size::Items(keys.len() as u64)).params(&params);
-        rig.play(&recording).unwrap();
-        let got: Vec<Vec4> = rig.read_some("drawn", rows.len()).unwrap();
-        for (i, &(key, d)) in keys.iter().enumerate() {
+        let features: &[&str] = if source == Source::Sobol { &["sobol"] } else { &[] };
+        let got = drawn_by(Library::shipped(), features, &keys);
+        for (&(key, d), drawn) in keys.iter().zip(got) {
             let two = source.sample_2d(key, d & !1);
             let right = [source.sample_4d(key, d & !3), DVec4::new(two.x, two.y, source.sample_1d(key, d), 0.0)];
-            let drawn = [got[2 * i], got[2 * i + 1]].map(|v| v.as_dvec4());
             assert_eq!(drawn, right, "{source:?}, {key:?}, dimension {d}");
             let all = [right[0], right[1]].into_iter().flat_map(|v| v.to_array());
             assert!(all.into_iter().all(|u| (0.0..1.0).contains(&u) && (u * f64::from(1 << 24)).fract() == 0.0));
         }
     }
+}
+
+/// Chi-square in 16^2 cells of the points that two dimensions of a group make, squeezed by a power.
+fn uniformity_of(points: &[[DVec4; 2]], [a, b]: [usize; 2], power: f64) -> f64 {
+    let mut observed = [0u64; 256];
+    for [four, _] in points {
+        let cell = |d: usize| (four[d].powf(power) * 16.0) as usize;
+        observed[cell(a) * 16 + cell(b)] += 1;
+    }
+    chi_square_z(&observed, &[points.len() as f64 / 256.0; 256])
+}
+
+/// The shaders of a shipped family: a lattice in the place of Sobol's points.
+#[test]
+fn the_lattice_is_uniform_over_pixels_and_spread_within_one() {
+    let text = include_str!("../assets/variants/shaders/lattice/lib/rng_sobol.wgsl");
+    let lattice =
+        |keys: &[(SampleKey, u32)]| drawn_by(Library::shipped().with("lib/rng_sobol", text), &["sobol"], keys);
+    for (index, half, dimension) in [(0, 0, 0), (3, 1, 8), (1000, 0, 12)] {
+        let keys: Vec<_> = (0..1 << 18).map(|pixel| (SampleKey { pixel, index, half, seed: 1 }, dimension)).collect();
+        let points = lattice(&keys);
+        for pair in [[0, 1], [2, 3], [0, 3]] {
+            let z = uniformity_of(&points, pair, 1.0);
+            assert!(z < CHI_SQUARE_LIMIT, "sample {index}, dimension {dimension}, {pair:?}: {z}");
+        }
+        let skewed = uniformity_of(&points, [0, 1], 1.04);
+        assert!(skewed > CHI_SQUARE_LIMIT, "a skew went unnoticed, {skewed}");
+        // A pair and a single number are those of the group.
+        assert!(points.iter().all(|[four, two]| [four.x, four.y, four.x] == [two.x, two.y, two.z]));
+    }
+    // Within a pixel its samples are spread: a mean of 256 has less than half the variance of that of independent ones.
+    let variance = |draw: &dyn Fn(&[(SampleKey, u32)]) -> Vec<[f64; 4]>| {
+        let keys = |pixel| (0..256).map(move |index| (SampleKey { pixel, index, half: 0, seed: 1 }, 4));
+        let points = draw(&(0..64).flat_map(keys).collect::<Vec<_>>());
+        let means = points.chunks_exact(256).map(|of| of.iter().map(|u| smooth(u, 1.0)).sum::<f64>() / 256.0);
+        means.map(|mean| (mean - 1.0) * (mean - 1.0)).sum::<f64>() / 64.0
+    };
+    let spread = variance(&|keys| lattice(keys).into_iter().map(|[four, _]| four.to_array()).collect());
+    let independent =
+        variance(&|keys| keys.iter().map(|(key, d)| Source::Pcg.sample_4d(*key, *d).to_array()).collect());
+    assert!(spread < independent / 2.0, "{spread} against {independent}");
 }
 
 /// Samples `first..first + count` of half 0, in the four dimensions of a group.
@@ -242,15 +289,18 @@ fn each_sample_alone_is_uniform_over_pixels() {
     }
 }
 
+/// A smooth function of the mean 1, of numbers that are squeezed by a power.
+fn smooth(u: &[f64; 4], skew: f64) -> f64 {
+    let [a, b, c, d] = u.map(|u| u.powf(skew));
+    // The mean of 4 u v is 1; that of 1.5 sqrt(u) too.
+    0.5 * 4.0 * a * c + 0.5 * 1.5 * b.sqrt() * (1.0 + (d - 0.5))
+}
+
 /// Of the integral of a smooth function of four dimensions by `count` samples: the variance over pixels and the mean of its
 /// error in standard errors. The function has the mean 1.
 fn integrate(source: Source, count: u32, skew: f64) -> (f64, f64) {
     const PIXELS: u32 = 256;
-    let value = |u: &[f64; 4]| -> f64 {
-        let [a, b, c, d] = u.map(|u| u.powf(skew));
-        // The mean of 4 u v is 1; that of 1.5 sqrt(u) too.
-        0.5 * 4.0 * a * c + 0.5 * 1.5 * b.sqrt() * (1.0 + (d - 0.5))
-    };
+    let value = |u: &[f64; 4]| smooth(u, skew);
     let means =
         (0..PIXELS).map(|pixel| group_of(source, pixel, 0, count).iter().map(value).sum::<f64>() / f64::from(count));
     let errors: Vec<f64> = means.map(|mean| mean - 1.0).collect();

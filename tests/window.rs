@@ -4,6 +4,7 @@
 mod display;
 #[cfg(target_os = "linux")]
 mod edits;
+mod family;
 mod flight;
 mod inspect;
 mod keys;

@@ -97,6 +97,8 @@ fn write_png(picture: &Picture, out: &mut impl Write) -> std::io::Result<()> {
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    // Pictures of noise hardly get smaller by more effort.
+    encoder.set_compression(png::Compression::Fast);
     for (key, value) in picture.metadata {
         let (key, value) = ((*key).to_owned(), value.clone());
         // A tEXt chunk is Latin-1; names of files need not be.

@@ -63,13 +63,14 @@ fn the_first_signal_ends_it_while_it_reads() {
     assert!(!folder.path().join("result").join("a.png").exists());
 }
 
-/// Films that one step finishes, without end.
+/// Films of independent samples, and a difference that so many of them would not find: only the signal ends it.
 #[test]
 fn the_first_signal_ends_a_judge_that_traces() {
-    let folder = folder_with("", b"");
+    let folder = folder_with("a.ron", SCENE.replace("spp: 2", "sampler: Pcg, spp: 2").as_bytes());
     let root = folder.path().join("shaders");
     crate::reload::copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders"), &root);
-    let arguments = ["judge", "a.ron", "--new", "shaders", "--force", "--films", "1000000", "--quiet"];
+    let arguments =
+        ["judge", "a.ron", "--new", "shaders", "--force", "--films", "10000000", "--within", "0.001", "--quiet"];
     let ended = ended_by(folder.path(), &arguments, Duration::from_secs(4), "-INT");
     assert!(ended.is_none_or(|ended| ended == 130), "{ended:?}");
 }

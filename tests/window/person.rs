@@ -41,6 +41,11 @@ impl Person {
 
     /// Opens a copy of it, `scene.ron` with its model, beside a copy of the shaders: files that can be edited.
     pub fn with_files() -> Self {
+        Self::in_folder(Self::files(), "scene.ron", &[])
+    }
+
+    /// The folder of those files.
+    pub fn files() -> TempDir {
         let folder = tempfile::tempdir().unwrap();
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         copy(&root.join("shaders"), &folder.path().join("shaders"));
@@ -49,7 +54,7 @@ impl Person {
         }
         let scene = std::fs::read_to_string(root.join("assets/scenes/cornell-box.ron")).unwrap();
         std::fs::write(folder.path().join("scene.ron"), scene.replace("../models/", "")).unwrap();
-        Self::in_folder(folder, "scene.ron", &[])
+        folder
     }
 
     /// Opens a scene file of a folder.
@@ -110,7 +115,7 @@ impl Person {
         self.rendered_by(scene, size, &[])
     }
 
-    fn rendered_by(&self, scene: &str, size: &str, more: &[&str]) -> Screenshot {
+    pub fn rendered_by(&self, scene: &str, size: &str, more: &[&str]) -> Screenshot {
         let file = self.folder.path().join("rendered.png");
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
         command.args(["render", scene, "--quiet", "--spp", SPP, "--size", size, "-o"]).arg(&file).args(more);

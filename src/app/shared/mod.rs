@@ -15,6 +15,7 @@ pub(super) mod progress;
 pub mod scene;
 pub(super) mod seconds;
 pub(super) mod settings;
+pub(super) mod shrink;
 pub mod textures;
 pub(super) mod tracer;
 pub(super) mod values;

@@ -1,6 +1,7 @@
 //! Renders what is wanted, on one adapter or on several at once.
 
 use std::collections::VecDeque;
+use std::sync::mpsc::{SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::blank::blank;
@@ -16,6 +17,12 @@ use crate::engine::{EngineError, FilmImage};
 use crate::gpu::{Gpu, GpuError};
 use crate::image::SaveError;
 use crate::scene::variants::Family;
+
+/// Threads that write films, at most.
+const WRITERS: usize = 4;
+
+/// Pixels of a film of which several are held at once.
+const MEDIUM: u64 = 1 << 22;
 
 /// Where results go.
 pub trait Board: Sync {
@@ -88,12 +95,61 @@ pub fn run(plan: &Plan, adapters: &[usize], board: &dyn Board) -> Result<(), Gpu
     })
 }
 
-/// Takes parts until there are none.
+/// Takes parts until there are none. What is made is written by threads of their own, so that the adapter needn't wait for it.
 fn work(
     plan: &Plan,
     queue: &Queue,
     begun: &Mutex<usize>,
     open: &dyn Fn() -> Result<Arc<Gpu>, GpuError>,
+    board: &dyn Board,
+) -> Result<(), GpuError> {
+    std::thread::scope(|scope| {
+        let (made, films) = sync_channel(0);
+        let films = Arc::new(Mutex::new(films));
+        for _ in 0..writers(plan) {
+            let films = films.clone();
+            scope.spawn(move || {
+                let next = || films.lock().unwrap_or_else(PoisonError::into_inner).recv();
+                while let Ok(film) = next() {
+                    keep(plan, board, film);
+                }
+            });
+        }
+        // What can't be handed over any more isn't waited for.
+        drop(films);
+        trace_all(plan, queue, begun, open, &made, board)
+    })
+}
+
+/// Threads that write films: one where films are large, since each holds one.
+fn writers(plan: &Plan) -> usize {
+    let subjects = plan.order.iter().filter_map(|index| plan.survey.found[*index].as_ref().ok());
+    let pixels = subjects.map(|subject| subject.description.film.window().size().as_u64vec2().element_product()).max();
+    match pixels {
+        Some(..=MEDIUM) => std::thread::available_parallelism().map_or(1, usize::from).min(WRITERS),
+        _ => 1,
+    }
+}
+
+/// A film that is done, and is to be written.
+type Film<'p> = (usize, &'p Subject, Made);
+
+fn keep(plan: &Plan, board: &dyn Board, (index, subject, (record, traced, metadata)): Film) {
+    match plan.shelf.keep(subject, &record, &traced, &metadata) {
+        Ok(()) => {
+            plan.watcher.interrupt.hold();
+            board.put(index, record);
+        }
+        Err(error) => board.unwritten(error),
+    }
+}
+
+fn trace_all<'p>(
+    plan: &'p Plan,
+    queue: &Queue,
+    begun: &Mutex<usize>,
+    open: &dyn Fn() -> Result<Arc<Gpu>, GpuError>,
+    films: &SyncSender<Film<'p>>,
     board: &dyn Board,
 ) -> Result<(), GpuError> {
     let mut gpu = open()?;
@@ -121,14 +177,11 @@ fn work(
             }
             match made {
                 Ok(None) => return Ok(()),
-                Ok(Some((record, traced, metadata))) => match plan.shelf.keep(subject, &record, &traced, &metadata) {
-                    Ok(()) => {
-                        plan.watcher.interrupt.hold();
-                        board.put(index, record.clone());
-                        previous = Some((subject, record));
-                    }
-                    Err(error) => board.unwritten(error),
-                },
+                Ok(Some(made)) => {
+                    previous = Some((subject, made.0.clone()));
+                    // It is taken as long as this end is there.
+                    let _ = films.send((index, subject, made));
+                }
                 Err(error) => board.put(index, failed(plan.family, subject, &error)),
             }
             plan.watcher.end();

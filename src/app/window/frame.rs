@@ -56,6 +56,7 @@ impl Session {
         if !matches!(read, Ok(false)) {
             self.survive("looking at the film", read)?;
         }
+        self.make_thumb(now);
         self.draw()?;
         let traced = Duration::from_secs_f64((self.traced() - before).max(0.0));
         self.tracing.learn_drawing(now.elapsed().saturating_sub(traced));
@@ -170,11 +171,12 @@ impl Session {
         let begin = Instant::now();
         let fit = self.fit();
         let name = self.name().to_owned();
-        let Session { screen, engine, overlay, panel, judgement, members, .. } = self;
+        let Session { screen, engine, overlay, panel, judgement, members, thumbs, .. } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
-                outcome.add(panel.show(ui, engine, members.as_ref().map(|members| (members, name.as_str()))));
+                let family = members.as_ref().map(|members| (members, name.as_str(), &mut *thumbs));
+                outcome.add(panel.show(ui, engine, family));
             }
             overlay.show(ui.ctx(), judgement.line());
         });

@@ -1,7 +1,11 @@
 //! The window's session on a family of scenes: another member is wanted, or was taken up; the last two side by side.
 
+use std::time::Instant;
+
 use super::pair::Seen;
 use super::session::Session;
+use super::thumbs::Stand;
+use crate::engine::Progress;
 
 impl Session {
     /// Wants the member of the family that is `by` places farther.
@@ -46,14 +50,31 @@ impl Session {
 
     /// Keeps what is seen of a member, before another may take its place.
     pub(super) fn keep_seen(&mut self) {
+        if let Some(seen) = self.seen() {
+            self.thumbs.take(&seen, None, Instant::now());
+            self.pair.keep(seen);
+        }
+    }
+
+    /// Makes what is seen of a member small for the panel, while that is open.
+    pub(super) fn make_thumb(&mut self, now: Instant) {
+        let Some(Progress { spp, finished, .. }) = self.tracing.progress.filter(|_| self.panel.open) else { return };
+        let stand = Stand { began: self.tracing.began, spp, finished };
+        if self.thumbs.wants(self.name(), stand, now)
+            && let Some(seen) = self.seen()
+        {
+            self.thumbs.take(&seen, Some(stand), now);
+        }
+    }
+
+    /// What the window shows of a member of a family; none before all of it is there.
+    fn seen(&mut self) -> Option<Seen> {
         if self.members.is_none() || !self.tracing.is_whole() {
-            return;
+            return None;
         }
         // What fails here fails in the next step too, and is told there.
-        if let Ok(Some(pixels)) = self.engine.picture() {
-            let (name, size, fit) = (self.name().to_owned(), self.engine.window_size(), self.fit());
-            self.pair.keep(Seen { name, size, fit, pixels });
-        }
+        let pixels = self.engine.picture().ok().flatten()?;
+        Some(Seen { name: self.name().to_owned(), size: self.engine.window_size(), fit: self.fit(), pixels })
     }
 
     /// Another member may be shown now. Says which, if it is.

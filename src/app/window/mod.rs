@@ -44,6 +44,7 @@ mod saves;
 mod screen;
 mod session;
 mod snapshot;
+pub mod thumbs;
 pub mod tracing;
 pub mod viewpoint;
 #[cfg(all(unix, not(target_os = "macos")))]

@@ -18,6 +18,7 @@ use super::pace;
 use super::pair::Pair;
 use super::panel::Panel;
 use super::screen::{Screen, physical_size};
+use super::thumbs::Thumbs;
 use super::tracing::Tracing;
 use super::viewpoint::Viewpoint;
 use crate::app::shared::failure::show;
@@ -95,6 +96,7 @@ pub struct Session {
     /// The members of the family, where the scene is one of them.
     pub(super) members: Option<Listing>,
     pub(super) pair: Pair,
+    pub(super) thumbs: Thumbs,
     /// When the title was last set.
     pub(super) titled: Option<Instant>,
 }
@@ -136,6 +138,7 @@ impl Session {
             saving: false,
             members: opening.family.as_ref().map(Family::listing),
             pair: Pair::default(),
+            thumbs: Thumbs::default(),
             opening,
             titled: None,
         })

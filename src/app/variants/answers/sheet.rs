@@ -1,5 +1,6 @@
 //! The contact sheet: all members beside each other, with rows and columns named.
 
+use std::panic::resume_unwind;
 use std::path::Path;
 
 use glam::UVec2;
@@ -90,7 +91,14 @@ pub fn read(answer: &Answer, folder: &Path) -> Vec<Content> {
         }
         State::Failed { .. } | State::Missing => Err(state(record).1),
     };
-    answer.records.iter().map(content).collect()
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let part = answer.records.len().div_ceil(threads).max(1);
+    std::thread::scope(|scope| {
+        let parts = answer.records.chunks(part);
+        let parts: Vec<_> =
+            parts.map(|part| scope.spawn(move || part.iter().map(content).collect::<Vec<_>>())).collect();
+        parts.into_iter().flat_map(|part| part.join().unwrap_or_else(|panic| resume_unwind(panic))).collect()
+    })
 }
 
 /// Gives everything its place.

@@ -1,25 +1,43 @@
 //! The members of a family to choose from.
 
-use egui::{ScrollArea, TextStyle, Ui};
+use egui::{Image, ScrollArea, Ui, Vec2};
 
 use crate::app::window::family::Listing;
+use crate::app::window::thumbs::{SIDE, Thumbs};
 
 /// Rows that are seen at once.
-const ROWS: f32 = 8.0;
+const ROWS: f32 = 6.0;
 
-/// The members in the order of the file; the one that is shown is marked, and the one that is wanted too. Returns the one that was clicked.
-pub fn show(ui: &mut Ui, members: &Listing, shown: &str) -> Option<String> {
+/// Height of a small picture, points; its width is at most that of a side.
+const HEIGHT: f32 = 40.0;
+
+/// The members in the order of the file, each with its picture if it was seen; the one that is shown is marked, and the one that is wanted
+/// too. Returns the one that was clicked.
+pub fn show(ui: &mut Ui, members: &Listing, shown: &str, thumbs: &mut Thumbs) -> Option<String> {
     let mut chosen = None;
-    let row = ui.text_style_height(&TextStyle::Button) + 2.0 * ui.spacing().button_padding.y;
-    let all = ROWS * (row + ui.spacing().item_spacing.y);
-    ScrollArea::vertical().id_salt("members").max_height(all).show_rows(ui, row, members.names().len(), |ui, rows| {
-        for name in &members.names()[rows] {
-            let waits = members.wanted() == Some(name) && name != shown;
-            let text = if waits { format!("{name} ..") } else { name.clone() };
-            if ui.selectable_label(name == shown, text).clicked() {
-                chosen = Some(name.clone());
+    let all = ROWS * (HEIGHT + ui.spacing().item_spacing.y);
+    let room = Vec2::new(SIDE as f32, HEIGHT);
+    ScrollArea::vertical().id_salt("members").max_height(all).show_rows(
+        ui,
+        HEIGHT,
+        members.names().len(),
+        |ui, rows| {
+            for name in &members.names()[rows] {
+                let waits = members.wanted() == Some(name) && name != shown;
+                let text = if waits { format!("{name} ..") } else { name.clone() };
+                ui.horizontal(|ui| {
+                    let centred = egui::Layout::centered_and_justified(egui::Direction::TopDown);
+                    let picture = thumbs.texture(ui.ctx(), name).map(|texture| Image::new(texture).max_size(room));
+                    let pressed = ui.allocate_ui_with_layout(room, centred, |ui| match picture {
+                        Some(picture) => ui.add(picture.sense(egui::Sense::click())).clicked(),
+                        None => false,
+                    });
+                    if ui.selectable_label(name == shown, text).clicked() || pressed.inner {
+                        chosen = Some(name.clone());
+                    }
+                });
             }
-        }
-    });
+        },
+    );
     chosen
 }

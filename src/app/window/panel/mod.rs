@@ -5,7 +5,7 @@
 
 mod maps;
 pub mod materials;
-mod members;
+pub mod members;
 mod passes;
 mod pixel;
 mod progress;
@@ -17,6 +17,7 @@ use std::time::Instant;
 use glam::UVec2;
 
 use crate::app::window::family::Listing;
+use crate::app::window::thumbs::Thumbs;
 use crate::engine::{Engine, EngineError};
 
 use readings::Readings;
@@ -81,15 +82,20 @@ impl Panel {
         if self.open { self.readings.read(engine, pixel, began, now) } else { Ok(false) }
     }
 
-    /// Draws it, at the right side of the window. `family` are its members, and the name of the one that is shown.
-    pub fn show(&self, ui: &mut egui::Ui, engine: &mut Engine, family: Option<(&Listing, &str)>) -> Outcome {
+    /// Draws it, at the right side of the window. `family` are its members, the name of the one that is shown, and their pictures.
+    pub fn show(
+        &self,
+        ui: &mut egui::Ui,
+        engine: &mut Engine,
+        family: Option<(&Listing, &str, &mut Thumbs)>,
+    ) -> Outcome {
         let mut outcome = Outcome::default();
         let fill = egui::Color32::from_rgba_unmultiplied(24, 24, 24, 235);
         let frame = egui::Frame::side_top_panel(ui.style()).fill(fill);
         egui::Panel::right("panel").frame(frame).default_size(300.0).show(ui, |ui| {
             egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                if let Some((list, shown)) = family {
-                    section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown));
+                if let Some((list, shown, thumbs)) = family {
+                    section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
                 }
                 section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
                 section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref()));
