@@ -208,6 +208,7 @@ fn what_is_shipped_fits_and_what_is_wrong_does_not() {
         "Scene(film: (size: (3, 4), exposure: -1.5), render: (sampler: Pcg, roulette: false), camera: None)",
         "(environment: Constant((1, 0.5, 0)), materials: { \"a\": (kd: 0.5, map_kd: Off, norm: None), \"b\": None })",
         "(environment: Constant(1, 1, 1), models: [], cameras: {}, film: ())",
+        "(extends: \"b.ron\", cameras: { \"front\": (fov_y: 30) })",
         "(extends: \"b.ron\", materials: { \"a\": (map_ns: (file: \"a.png\", scale: 2, clamp: (true, false), channel: Red)) })",
     ] {
         assert_eq!(fits(right).0, true, "{right}");
@@ -220,7 +221,7 @@ fn what_is_shipped_fits_and_what_is_wrong_does_not() {
         "(models: [(name: \"a\")])",
         "(environment: Constant(-1))",
         "(environment: Moon())",
-        "(cameras: { \"a\": (position: (0, 0, 1)) })",
+        "(cameras: { \"a\": (position: (0, 0)) })",
         "(materials: { \"a\": (pr: 1.5) })",
         "(materials: { \"a\": (map_kd: (channel: Red)) })",
     ] {
@@ -244,6 +245,8 @@ fn what_is_shipped_fits_and_what_is_wrong_does_not() {
         "(extends: \"a.ron\", sweep: { \"materials.a.pr\": named({ \"dull\": 2 }) })",
         "(extends: \"a.ron\", overrides: { \"render.integrator\": Pth })",
         "(extends: \"a.ron\", goal: (error: \"small\"))",
+        "(extends: \"a.ron\", goal: ())",
+        "(extends: \"a.ron\", goal: (spp: 1, time: 1))",
         "(extends: \"a.ron\", members: { \"a\": 1 })",
     ] {
         assert_eq!(fits(wrong).1, false, "{wrong}");

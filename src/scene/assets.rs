@@ -42,6 +42,11 @@ impl Assets {
         Self::default()
     }
 
+    /// How often files were read to be understood, all together.
+    pub fn count(&self) -> u32 {
+        self.lock().reads.values().sum()
+    }
+
     /// How often each file was read to be understood.
     pub fn reads(&self) -> BTreeMap<PathBuf, u32> {
         self.lock().reads.clone()

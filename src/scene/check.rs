@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use super::assets::Assets;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::kind::Kind;
-use super::load::{Loaded, attempt, attempt_in, bare};
+use super::load::{Loaded, attempt, bare};
 use super::mtl::{Appearance, read_mtl};
 use super::text::cannot_read;
 use super::textures::Loading;
 use super::unseen::unseen_by;
-use super::variants::{is_family, plan};
+use super::variants::{is_family, load, plan};
 use crate::files;
 
 /// What a check has read and found.
@@ -111,7 +111,7 @@ fn check_family(path: &Path, assets: &Assets) -> Found {
     found.reads.clone_from(&family.files);
     found.diagnostics.list.clone_from(&family.warnings);
     for member in &family.members {
-        let (loaded, reads) = attempt_in(&family.scene, &member.defines, &Loading::default(), assets);
+        let (loaded, reads) = load(&family, member, &Loading::default(), assets);
         found.reads.extend(reads);
         match loaded {
             Ok(loaded) => found.diagnostics.list.extend(loaded.warnings),

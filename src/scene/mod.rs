@@ -50,6 +50,7 @@ pub use find::{find, names};
 pub use keys::{Colour, KEYS, Key, Range, Value};
 pub use load::{Loaded, attempt, attempt_in, load, load_with};
 pub use mtl::{Appearance, MtlMaterial, TextureMap, TextureMaps};
+pub use suggest::did_you_mean;
 pub use textures::{Loading, MapUse, name as texture_name};
 pub use triangulate::triangulate;
 pub use unseen::unseen_by;

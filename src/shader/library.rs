@@ -151,9 +151,12 @@ impl Library {
 
     /// Whether all modules have the same texts.
     pub fn is_same(&self, other: &Library) -> bool {
-        let hashes = |library: &Library| library.modules().map(|name| (name.to_owned(), library.hash(name))).collect();
-        let [own, others]: [Vec<(String, Option<u64>)>; 2] = [self, other].map(hashes);
-        own == others
+        self.hashes() == other.hashes()
+    }
+
+    /// Of all modules, by their names.
+    pub fn hashes(&self) -> BTreeMap<String, Option<u64>> {
+        self.modules().map(|name| (name.to_owned(), self.hash(name))).collect()
     }
 
     pub(super) fn shared(&self) -> &Shared {

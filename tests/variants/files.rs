@@ -1,6 +1,6 @@
 //! What variant files say, and what members come to.
 
-use lucerna::scene::variants::{Chosen, Goal, is_family, plan};
+use lucerna::scene::variants::{Chosen, Goal, Member, is_family, plan};
 use lucerna::scene::{Assets, Define, attempt_in};
 
 use super::planning::{LIBRARY, MODEL, SCENE, folder, load_all, planned, shipped, with_family};
@@ -54,6 +54,45 @@ fn steps_are_even_or_of_one_factor() {
     assert_eq!(of(r#"named({ "dull": 4, "bright": 400 })"#), ["dull", "bright"]);
     // As many digits as keep them apart.
     assert_eq!(of("range(1, 1.0002, 3)"), ["1", "1.0001", "1.0002"]);
+    // Names are short, values as they were written.
+    assert_eq!(of("range(1024, 4096, 4)"), ["1024", "2048", "3072", "4096"]);
+    let folder = with_family(r#"(extends: "a.ron", sweep: { "materials.a.ns": range(0.12345, 0.15, 3) })"#);
+    let family = planned(folder.path()).unwrap();
+    let swept: Vec<_> = family.members.iter().map(|member| (&*member.name, &*member.defines[0].value)).collect();
+    assert_eq!(swept, [("0.123", "0.12345"), ("0.137", "0.136725"), ("0.15", "0.15")]);
+}
+
+#[test]
+fn a_long_name_is_one_by_hand_and_is_cut_where_it_is_a_part() {
+    let long = "a".repeat(60);
+    let text = format!(
+        r#"(extends: "a.ron", sweep: {{ "materials.a.ns": named({{ "{long}": 3 }}) }}, members: {{ "{long}": {{}} }})"#
+    );
+    assert_eq!(names(&text), ["a".repeat(40), long]);
+}
+
+#[test]
+fn members_may_have_scenes_of_their_own() {
+    let other = SCENE.replace("max_depth: 3", "max_depth: 5");
+    let folder = folder(&[
+        ("a.ron", SCENE),
+        ("a.obj", MODEL),
+        ("a.mtl", LIBRARY),
+        ("b.ron", &other),
+        ("v.ron", r#"(extends: "a.ron", sweep: { "scene": ["a.ron", "b.ron"] }, overrides: { "film.exposure": 1 })"#),
+    ]);
+    let family = planned(folder.path()).unwrap();
+    let depth = |member: &Member| {
+        let load = attempt_in(family.scene_of(member), &member.defines, &Default::default(), &Assets::new()).0;
+        let scene = load.unwrap().description;
+        (member.name.clone(), scene.render.max_depth, scene.film.exposure)
+    };
+    let all: Vec<_> = family.members.iter().map(depth).collect();
+    assert_eq!(all, [("a.ron".to_owned(), 3, 1.0), ("b.ron".to_owned(), 5, 1.0)]);
+    let folder = with_family(r#"(extends: "a.ron", members: { "m": { "scene": "c.ron" } })"#);
+    let family = planned(folder.path()).unwrap();
+    let wrong = load_all(&family).remove(0).1.unwrap()[0].to_string();
+    assert!(wrong.contains("v.ron:1:") && wrong.contains("scene: there is no file"), "{wrong}");
 }
 
 #[test]

@@ -62,3 +62,16 @@ fn what_can_not_be_meant_is_refused() {
         assert!(run.status.code() == Some(2) && text.contains(says), "{arguments:?}: {text}");
     }
 }
+
+/// `--size` is for all but those that a sweep gives another, and the table says what was rendered.
+#[test]
+fn a_sweep_over_sizes_wins_over_the_flag() {
+    let folder = super::folder(r#"(extends: "a.ron", members: {"flag": {}, "own": {"film.size": (9, 7)}})"#);
+    let answer = super::answer(folder.path(), &["--size", "11x5", "--spp", "1"], 0);
+    for (name, width, height) in [("flag", 11, 5), ("own", 9, 7)] {
+        let picture = image::open(folder.path().join(format!("result/variants/fam/members/{name}.png"))).unwrap();
+        assert_eq!((picture.width(), picture.height()), (width, height), "{name}");
+        let size = super::member(&answer, name).settings.iter().rfind(|(path, _)| path == "film.size").unwrap();
+        assert_eq!(size.1, format!("({width}, {height})"));
+    }
+}

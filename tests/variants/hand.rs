@@ -49,6 +49,7 @@ pub fn answer(blocks: usize) -> Answer {
         records,
         reference: Some("clay".to_owned()),
         interrupted: false,
+        remarks: Vec::new(),
     }
 }
 

@@ -43,7 +43,7 @@ pub fn planned(folder: &Path) -> Result<Family, Diagnostics> {
 pub fn load_all(family: &Family) -> Vec<(String, Option<Vec<Diagnostic>>)> {
     let assets = Assets::new();
     let load = |member: &lucerna::scene::variants::Member| {
-        let loaded = lucerna::scene::attempt_in(&family.scene, &member.defines, &Default::default(), &assets).0;
+        let loaded = lucerna::scene::variants::load(family, member, &Default::default(), &assets).0;
         (member.name.clone(), loaded.err().map(|found| found.list))
     };
     family.members.iter().map(load).collect()

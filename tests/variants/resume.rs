@@ -114,3 +114,18 @@ fn a_member_that_breaks_is_marked_and_the_others_are_done() {
     assert!(run.status.code() == Some(1) && said.matches("error:").count() == 1, "{said}");
     assert!(!folder.path().join("other").exists());
 }
+
+/// Members are compared with the reference as the files are now, or with none.
+#[test]
+fn nothing_is_compared_with_a_reference_that_is_old() {
+    let folder = folder(r#"(extends: "a.ron", sweep: {"materials.grey.kd": [0.2, 0.8]}, reference: "0.2")"#);
+    let whole = answer(folder.path(), &["--out", "out"], 0);
+    assert!(whole.records.iter().all(|record| record.against.is_some()));
+    let scene = std::fs::read_to_string(folder.path().join("a.ron")).unwrap();
+    std::fs::write(folder.path().join("a.ron"), scene.replace("Constant((1, 1, 1))", "Constant((2, 2, 2))")).unwrap();
+    let one = answer(folder.path(), &["--out", "out", "--only", "0.8"], 0);
+    assert_eq!(member(&one, "0.2").state, State::Missing);
+    assert!(member(&one, "0.8").state == State::Done && member(&one, "0.8").against.is_none());
+    let both = answer(folder.path(), &["--out", "out"], 0);
+    assert!(both.records.iter().all(|record| record.against.is_some()));
+}

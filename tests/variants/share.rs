@@ -107,8 +107,8 @@ fn folders_of_shaders_keep_the_tree() {
 
 #[test]
 fn folders_of_shaders_are_laid_over_the_shipped_ones_and_values_set() {
-    let family = r#"(extends: "a.ron", sweep: { "shader.TWICE": [1, 2] }, overrides: { "shaders": "bright" },
-        members: { "shipped": { "shaders": None } })"#;
+    let family = r#"(extends: "a.ron", overrides: { "shaders": "bright" },
+        members: { "1": {}, "2": { "shader.TWICE": 2 }, "4": { "shader.TWICE": 4 }, "shipped": { "shaders": None } })"#;
     let folder = folder(family);
     let path = std::fs::read_to_string("shaders/passes/trace/path.wgsl").unwrap();
     let (right, wrong) = ("(*state).radiance += light;", "(*state).radiance += TWICE * light;");
@@ -117,14 +117,16 @@ fn folders_of_shaders_are_laid_over_the_shipped_ones_and_values_set() {
     let text = path.replace(right, wrong).replace(head, &format!("override TWICE: f32 = 1.0;\n\n{head}"));
     std::fs::create_dir_all(folder.path().join("bright/passes/trace")).unwrap();
     std::fs::write(folder.path().join("bright/passes/trace/path.wgsl"), text).unwrap();
-    // The member without the folder has no such value.
-    let family = std::fs::read_to_string(folder.path().join("fam.ron")).unwrap();
-    std::fs::write(folder.path().join("fam.ron"), family.replace("\"shaders\": None", "\"shader.TWICE\": 4")).unwrap();
     let shaders = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders");
     let answer = answer(folder.path(), &["--shaders", shaders.to_str().unwrap()], 0);
     let mean = |name: &str| member(&answer, name).mean[0];
     assert!((mean("2") / mean("1") - 2.0).abs() < 1e-3, "{} {}", mean("1"), mean("2"));
-    assert!((mean("shipped") / mean("1") - 4.0).abs() < 1e-3);
+    assert!((mean("4") / mean("1") - 4.0).abs() < 1e-3);
+    assert_eq!(mean("shipped"), mean("1"));
+    // What is to be repeated is all of it.
+    let again = &member(&answer, "2").repeat;
+    assert!(again.starts_with("lucerna variants fam.ron --only 2 --shaders "), "{again}");
+    assert!(member(&answer, "shipped").repeat.contains("--shaders "));
 
     std::fs::write(
         folder.path().join("fam.ron"),

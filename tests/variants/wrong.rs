@@ -42,7 +42,6 @@ fn wrong_sweeps_are_told_where_they_stand() {
             r#""both": zip({ "film.exposure": [1, 2], "render.seed": [1] })"#,
             "zip: `render.seed` has 1 values, and `film.exposure` has 2",
         ),
-        (r#""shaders": ["nowhere"]"#, "v.ron:3:26: error: shaders: there is no folder"),
         (r#""shader.": [1]"#, "`shader.` names no value of a shader"),
         (
             r#""a": range(0, 1, 1000), "b": range(0, 1, 1000)"#,
@@ -126,8 +125,31 @@ fn one_member_that_is_wrong_leaves_the_others() {
     let wrong: Vec<bool> = load_all(&family).iter().map(|(_, errors)| errors.is_some()).collect();
     assert_eq!(wrong, [false, true, false]);
     let shown = load_all(&family)[1].1.as_ref().unwrap()[0].to_string();
-    assert!(
-        shown.contains("v.ron:1:53: error: in the change of `render.max_depth`") || shown.contains("render.max_depth"),
-        "{shown}"
-    );
+    assert!(shown.contains("v.ron:1:53: error: ") && shown.contains("render.max_depth"), "{shown}");
+}
+
+#[test]
+fn two_axes_over_one_value_are_refused_where_the_second_is() {
+    for (sweep, paths) in [
+        (r#""film.exposure": [2, 3], "film": [(size: (16, 16)), (size: (8, 8))]"#, "`film.exposure` and `film`"),
+        (r#""film": [(exposure: 1)], "both": zip({ "film.exposure": [2, 3] })"#, "`film` and `film.exposure`"),
+    ] {
+        let folder = with_family(&format!(r#"(extends: "a.ron", sweep: {{ {sweep} }})"#));
+        let errors = planned(folder.path()).unwrap_err();
+        let shown = errors.list[0].to_string();
+        assert!(shown.contains("v.ron:1:") && shown.contains(&format!("{paths} are gone through at once")), "{shown}");
+    }
+    // A name that only begins alike is another path.
+    let folder = with_family(r#"(extends: "a.ron", sweep: { "materials.a.k": [1], "materials.a.kd": [2] })"#);
+    assert_eq!(planned(folder.path()).unwrap().members.len(), 1);
+}
+
+#[test]
+fn a_folder_of_shaders_that_is_missing_marks_its_member() {
+    let folder = with_family(r#"(extends: "a.ron", sweep: { "shaders": [None, "nope"] })"#);
+    let family = planned(folder.path()).unwrap();
+    let [right, wrong] = &load_all(&family)[..] else { panic!() };
+    assert!(right.1.is_none());
+    let shown = wrong.1.as_ref().unwrap()[0].to_string();
+    assert!(shown.contains("v.ron:1:47") && shown.contains("shaders: there is no folder"), "{shown}");
 }

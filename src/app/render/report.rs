@@ -47,7 +47,7 @@ impl RenderSummary<'_> {
             path: self.path,
             description: self.description,
             defines: &self.arguments.flags.define,
-            shaders: None,
+            shaders: self.arguments.flags.shaders.as_deref(),
             window: self.film.window,
             spp: self.film.spp,
             adapter: &self.report.adapter,

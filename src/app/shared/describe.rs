@@ -14,7 +14,7 @@ pub struct Described<'a> {
     /// As it was rendered.
     pub description: &'a SceneDescription,
     pub defines: &'a [Define],
-    /// The folder of shaders, where it is to be told.
+    /// The folder of shaders, where one was named.
     pub shaders: Option<&'a Path>,
     /// The rendered part.
     pub window: Crop,

@@ -6,6 +6,7 @@ use clap::Args;
 use glam::UVec2;
 
 use crate::app::Failure;
+use crate::app::shared::describe::quoted;
 use crate::app::shared::values::{EXIT_CODES, define, seconds, size};
 use crate::scene::Define;
 use crate::scene::variants::{Family, Goal};
@@ -37,7 +38,7 @@ pub struct VariantsArguments {
     #[arg(long, value_name = "NAME")]
     pub only: Vec<String>,
     /// Say which members there are, in the order they would be rendered in, and which are done; render nothing
-    #[arg(long)]
+    #[arg(long, conflicts_with = "json")]
     pub list: bool,
     /// Render on so many adapters at once, the first of `lucerna doctor`
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
@@ -46,10 +47,10 @@ pub struct VariantsArguments {
     #[arg(long, conflicts_with_all = ["jobs", "error", "list"])]
     pub race: bool,
     /// With --race, the probability that the best member is ended
-    #[arg(long, value_name = "P", default_value = "1e-3", value_parser = probability, requires = "race")]
+    #[arg(long, value_name = "P", default_value = "1e-3", value_parser = probability)]
     pub alpha: f64,
     /// With --race, rounds of two films a member, at most
-    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(4..=1 << 20), requires = "race")]
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(4..=1 << 20))]
     pub rounds: u32,
     /// The folder that gets a folder of the family's name
     #[arg(long, value_name = "DIR", default_value = "result/variants")]
@@ -63,6 +64,38 @@ pub struct VariantsArguments {
 }
 
 impl VariantsArguments {
+    /// What is changed of every scene before members are: by `-D`, and by `--size`.
+    pub fn defines(&self) -> Vec<Define> {
+        let size = self.size.map(|size| Define::given("film.size", &format!("({}, {})", size.x, size.y)));
+        self.define.iter().cloned().chain(size).collect()
+    }
+
+    /// What changes films, as words of a shell, each behind a space.
+    pub fn repeated(&self) -> String {
+        let mut text = String::new();
+        let mut flag = |name: &str, value: String| text += &format!(" {name} {}", quoted(&value));
+        let list = |numbers: Vec<String>| numbers.join(",");
+        if !self.spp.is_empty() {
+            flag("--spp", list(self.spp.iter().map(u32::to_string).collect()));
+        }
+        if !self.time.is_empty() {
+            flag("--time", list(self.time.iter().map(f64::to_string).collect()));
+        }
+        if let Some(error) = self.error {
+            flag("--error", error.to_string());
+        }
+        if let Some(size) = self.size {
+            flag("--size", format!("{}x{}", size.x, size.y));
+        }
+        if let Some(folder) = &self.shaders {
+            flag("--shaders", folder.display().to_string());
+        }
+        for Define { path, value, .. } in &self.define {
+            flag("-D", format!("{path}={value}"));
+        }
+        text
+    }
+
     /// When a member is done: by flags, else by the file; `None` where each scene says.
     pub fn goal(&self, family: &Family) -> Option<Goal> {
         let ascending = |mut times: Vec<f64>| {
@@ -85,8 +118,15 @@ impl VariantsArguments {
         Some(Goal::Samples(spp))
     }
 
-    /// Refuses names of members that there are not.
+    /// Refuses names of members that there are not, and values that go with others.
     pub fn check(&self, family: &Family) -> Result<(), Failure> {
+        if self.race && self.spp.len() > 1 {
+            return Err(Failure::usage("--race: films have one number of samples", "give one number to --spp"));
+        }
+        if let Some(folder) = self.shaders.as_deref().filter(|folder| !folder.is_dir()) {
+            let message = format!("--shaders: there is no folder {}", folder.display());
+            return Err(Failure::usage(message, "give a folder of shaders"));
+        }
         let known = |name: &&String| family.members.iter().any(|member| member.name == **name);
         match self.only.iter().find(|name| !known(name)) {
             None => Ok(()),

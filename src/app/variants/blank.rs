@@ -13,6 +13,7 @@ pub fn blank(subject: &Subject) -> Record {
 pub fn missing(member: &Member) -> Record {
     let mut settings: Vec<(String, String)> =
         member.defines.iter().map(|define| (define.path.clone(), define.value.clone())).collect();
+    settings.extend(member.scene.iter().map(|scene| ("scene".to_owned(), scene.display().to_string())));
     settings.extend(member.shaders.iter().map(|folder| ("shaders".to_owned(), folder.display().to_string())));
     settings.extend(member.values.iter().map(|(name, value)| (format!("shader.{name}"), value.clone())));
     Record {

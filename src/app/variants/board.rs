@@ -27,8 +27,12 @@ const SHARE: u32 = 20;
 pub struct Answers {
     state: Mutex<Growing>,
     folder: PathBuf,
-    /// Some file could not be written.
+    /// Held by whoever writes the files of all members.
+    writing: Mutex<()>,
+    /// A file of a member could not be written.
     unwritten: AtomicBool,
+    /// The last time that the files of all members were written, one could not be.
+    torn: AtomicBool,
 }
 
 struct Growing {
@@ -52,9 +56,16 @@ impl Answers {
             records: found.iter().take(family.members.len()).map(first).collect(),
             reference: family.reference.as_ref().map(|reference| reference.member.clone()),
             interrupted: false,
+            remarks: Vec::new(),
         };
         let state = Growing { answer, reference: None, written: Instant::now(), pause: PAUSE };
-        Self { state: Mutex::new(state), folder, unwritten: AtomicBool::new(false) }
+        Self {
+            state: Mutex::new(state),
+            folder,
+            writing: Mutex::new(()),
+            unwritten: AtomicBool::new(false),
+            torn: AtomicBool::new(false),
+        }
     }
 
     /// Looks at, or changes, what there is.
@@ -74,18 +85,26 @@ impl Answers {
 
     /// Writes all files.
     pub fn write(&self) {
-        let mut state = self.lock();
+        self.write_by(&self.writing.lock().unwrap_or_else(PoisonError::into_inner));
+    }
+
+    /// The same, by whoever may. Members may be taken up meanwhile.
+    fn write_by(&self, _writing: &MutexGuard<()>) {
         let begin = Instant::now();
-        if let Err(error) = write(&state.answer, &self.folder) {
-            self.unwritten(error);
+        let answer = self.lock().answer.clone();
+        let written = write(&answer, &self.folder);
+        self.torn.store(written.is_err(), Ordering::Relaxed);
+        if let Err(error) = written {
+            show(&error);
         }
+        let mut state = self.lock();
         state.written = Instant::now();
         state.pause = PAUSE.max(SHARE * begin.elapsed());
     }
 
     /// Whether all that was to be written was.
     pub fn is_whole(&self) -> bool {
-        !self.unwritten.load(Ordering::Relaxed)
+        !self.unwritten.load(Ordering::Relaxed) && !self.torn.load(Ordering::Relaxed)
     }
 
     fn lock(&self) -> MutexGuard<'_, Growing> {
@@ -96,12 +115,14 @@ impl Answers {
 impl Board for Answers {
     fn put(&self, index: usize, record: Record) {
         self.set(index, record);
-        let due = {
+        let due = || {
             let state = self.lock();
             state.written.elapsed() >= state.pause
         };
-        if due {
-            self.write();
+        if let Ok(writing) = self.writing.try_lock()
+            && due()
+        {
+            self.write_by(&writing);
         }
     }
 

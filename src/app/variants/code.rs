@@ -9,6 +9,9 @@ use crate::shader::{Library, ShaderError};
 /// Of a folder, and the values of its `override`s.
 type Wanted = (Option<PathBuf>, BTreeMap<String, String>);
 
+/// Of all modules of a library.
+type Hashes = BTreeMap<String, Option<u64>>;
+
 /// Every library that a member wants, by number.
 pub struct Codes {
     /// Of members that have no folder of their own; `None` are the built-in ones.
@@ -16,6 +19,8 @@ pub struct Codes {
     folders: BTreeMap<Option<PathBuf>, Result<Library, ShaderError>>,
     numbers: BTreeMap<Wanted, usize>,
     libraries: Vec<Library>,
+    /// The same by their texts.
+    known: BTreeMap<Hashes, usize>,
 }
 
 impl Codes {
@@ -23,7 +28,13 @@ impl Codes {
     pub fn new(folder: Option<&Path>) -> Self {
         let folder =
             folder.map_or_else(|| Library::local_folder().map(Path::to_path_buf), |folder| Some(folder.to_path_buf()));
-        Self { folder, folders: BTreeMap::new(), numbers: BTreeMap::new(), libraries: Vec::new() }
+        Self {
+            folder,
+            folders: BTreeMap::new(),
+            numbers: BTreeMap::new(),
+            libraries: Vec::new(),
+            known: BTreeMap::new(),
+        }
     }
 
     /// The number of a member's shaders, or what is wrong with them.
@@ -38,9 +49,8 @@ impl Codes {
         }
         let library = library.with_values(&member.values).map_err(|error| error.to_string())?;
         // Another folder of the same files is the same code.
-        let known = self.libraries.iter().position(|known| known.is_same(&library));
-        let number = known.unwrap_or(self.libraries.len());
-        if known.is_none() {
+        let number = *self.known.entry(library.hashes()).or_insert(self.libraries.len());
+        if number == self.libraries.len() {
             self.libraries.push(library);
         }
         self.numbers.insert(wanted, number);

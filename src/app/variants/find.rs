@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::scene::{Diagnostic, Severity};
+use crate::scene::{Diagnostic, Severity, did_you_mean};
 
 /// Where those are that can be named without path and ending.
 const FOLDER: &str = "assets/variants";
@@ -26,7 +26,9 @@ pub fn find(name: &str) -> Result<PathBuf, Diagnostic> {
         .filter_map(|path| Some(path.file_stem()?.to_string_lossy().into_owned()))
         .collect();
     names.sort();
+    let near = did_you_mean(name, names.iter().map(String::as_str));
     let help = match names.is_empty() {
+        _ if near.is_some() => near.unwrap_or_default(),
         true => "give the path of a variant file (.ron)".to_owned(),
         false => format!("give the path of a variant file (.ron), or one of these names: {}", names.join(", ")),
     };

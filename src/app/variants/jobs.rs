@@ -1,6 +1,7 @@
 //! Renders what is wanted, on one adapter or on several at once.
 
 use std::collections::VecDeque;
+use std::panic::resume_unwind;
 use std::sync::mpsc::{SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -90,7 +91,8 @@ pub fn run(plan: &Plan, adapters: &[usize], board: &dyn Board) -> Result<(), Gpu
             .map(|number| scope.spawn(move || work(plan, queue, begun, &|| Gpu::open_number(*number), board)))
             .collect();
         // All are waited for; the first error is told.
-        let ends: Vec<_> = threads.into_iter().map(|thread| thread.join().unwrap_or(Ok(()))).collect();
+        let end = |panic| resume_unwind(panic);
+        let ends: Vec<_> = threads.into_iter().map(|thread| thread.join().unwrap_or_else(end)).collect();
         ends.into_iter().collect()
     })
 }
@@ -224,16 +226,16 @@ fn member(
         Some(taken) => taken,
         None => {
             stage.put(codes, subject, render)?;
-            let Some(traced) = trace(stage, render, &subject.goal, plan.watcher)? else { return Ok(None) };
+            let Some(traced) = trace(stage, &tally, render, &subject.goal, plan.watcher)? else { return Ok(None) };
             let went_on = alike.filter(|_| !stage.began(&tally));
             (traced, went_on.map(|(other, _)| other.member.name.clone()))
         }
     };
     let described = Described {
-        path: &plan.family.scene,
+        path: plan.family.scene_of(&subject.member),
         description: &subject.description,
         defines: &subject.member.defines,
-        shaders: subject.member.shaders.as_deref(),
+        shaders: plan.survey.shaders.as_deref(),
         window: traced.film.window,
         spp: traced.film.spp,
         adapter: &stage.adapter,
@@ -246,19 +248,19 @@ fn member(
         adapter: stage.adapter.clone(),
         film_of,
         work: stage.work(&tally, subject.read),
-        repeat: repeat(plan.family, subject, &described),
+        repeat: repeat(plan.family, plan.survey, subject, &described),
         ..blank(subject)
     };
     Ok(Some((record, traced.film, described.metadata())))
 }
 
 /// The command that renders a member alone. `render` sets no values of shaders, and takes folders that are whole.
-pub fn repeat(family: &Family, subject: &Subject, described: &Described) -> String {
+pub fn repeat(family: &Family, survey: &Survey, subject: &Subject, described: &Described) -> String {
     match subject.member.values.is_empty() && subject.member.shaders.is_none() {
         true => described.repeat(),
         false => {
             let [file, name] = [&family.path.display().to_string(), &subject.member.name].map(|word| quoted(word));
-            format!("lucerna variants {file} --only {name}")
+            format!("lucerna variants {file} --only {name}{}", survey.flags)
         }
     }
 }

@@ -38,6 +38,7 @@ use crate::app::{Exit, Failure};
 use crate::gpu::adapters;
 use crate::scene::variants::{self, Family, Goal};
 use crate::scene::{Assets, Diagnostic};
+use answers::numbers::state;
 use board::Answers;
 use jobs::{Board, Plan};
 use record::State;
@@ -50,7 +51,7 @@ pub fn run(arguments: &VariantsArguments) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let path = find::find(&arguments.family)?;
     let assets = Assets::new();
-    let family = variants::plan(&path, &arguments.define, &assets)?;
+    let family = variants::plan(&path, &arguments.defines(), &assets)?;
     arguments.check(&family)?;
     let mut survey = survey(&family, &assets, arguments)?;
     // From here on, scenes alone hold what they need.
@@ -58,7 +59,11 @@ pub fn run(arguments: &VariantsArguments) -> Result<Exit, Failure> {
     if !arguments.quiet {
         family.warnings.iter().chain(&survey.warnings).for_each(|warning: &Diagnostic| show(warning));
     }
-    let folder = arguments.out.join(&family.name);
+    let mut folder = arguments.out.join(&family.name);
+    if arguments.race {
+        // What a race keeps is not what is rendered.
+        folder.push("race");
+    }
     if arguments.list {
         return list::print(&family, &survey, &folder, arguments);
     }
@@ -118,23 +123,31 @@ fn render(
     answers.with(|answer, own| {
         answer.interrupted = interrupted;
         if let Some(name) = answer.reference.clone() {
-            against::compare(&shelf.folder, &survey.found, &mut answer.records, &name, own.as_ref());
+            let remark = against::compare(&shelf.folder, &survey.found, &mut answer.records, &name, own.as_ref());
+            answer.remarks.extend(remark);
         }
     });
     answers.write();
     tell(answers, shelf, rendered, arguments)?;
     ended?;
-    let failed = answers.with(|answer, _| {
-        answer.records.iter().any(|r| matches!(r.state, State::Failed { .. }) && arguments.wants(&r.name))
+    Ok(exit(answers, arguments, interrupted))
+}
+
+/// How it ended.
+fn exit(answers: &Answers, arguments: &VariantsArguments, interrupted: bool) -> Exit {
+    let failed = answers.with(|answer, reference| {
+        let is_failed = |record: &record::Record| matches!(record.state, State::Failed { .. });
+        answer.records.iter().any(|record| is_failed(record) && arguments.wants(&record.name))
+            || reference.as_ref().is_some_and(is_failed)
     });
-    Ok(match (failed || !answers.is_whole(), interrupted) {
+    match (failed || !answers.is_whole(), interrupted) {
         (_, true) => Exit::Interrupted,
         (true, false) => Exit::Failed,
         (false, false) => Exit::Done,
-    })
+    }
 }
 
-/// Lets members compete. The reference is one of another run, if there is one.
+/// Lets members compete.
 fn compete(
     family: &Family,
     survey: &Survey,
@@ -152,7 +165,7 @@ fn compete(
     watcher.finish();
     let raced = raced?;
     watcher.interrupt.hold();
-    for (index, record, film) in raced.records(family) {
+    for (index, record, film) in raced.records(family, survey) {
         if let (Some((film, metadata)), Ok(subject)) = (film, &survey.found[index])
             && let Err(error) = shelf.keep(subject, &record, &film, &metadata)
         {
@@ -160,18 +173,17 @@ fn compete(
         }
         answers.set(index, record);
     }
-    answers.with(|answer, _| answer.interrupted = raced.interrupted);
+    answers.with(|answer, _| {
+        answer.interrupted = raced.interrupted;
+        // Members are compared with each other.
+        answer.reference = None;
+    });
     answers.write();
     if !arguments.json {
         output::print(&race::text(&raced))?;
     }
     tell(answers, shelf, order.len(), arguments)?;
-    let failed = answers.with(|answer, _| answer.records.iter().any(|r| matches!(r.state, State::Failed { .. })));
-    Ok(match (failed || !answers.is_whole(), raced.interrupted) {
-        (_, true) => Exit::Interrupted,
-        (true, false) => Exit::Failed,
-        (false, false) => Exit::Done,
-    })
+    Ok(exit(answers, arguments, raced.interrupted))
 }
 
 /// The adapters to render on; none for the one that is chosen by default.
@@ -210,7 +222,7 @@ fn extent(survey: &Survey, order: &[usize], jobs: u32) -> (Extent, bool) {
 
 /// Says what came of it.
 fn tell(answers: &Answers, shelf: &Shelf, rendered: usize, arguments: &VariantsArguments) -> Result<(), Failure> {
-    answers.with(|answer, _| {
+    answers.with(|answer, reference| {
         if arguments.json {
             let text = serde_json::to_string_pretty(answer).unwrap_or_default();
             return output::print(&(text + "\n"));
@@ -222,15 +234,13 @@ fn tell(answers: &Answers, shelf: &Shelf, rendered: usize, arguments: &VariantsA
             0 => ", nothing had to be rendered\n".to_owned(),
             _ => "\n".to_owned(),
         };
-        for record in &answer.records {
-            if let State::Failed { message, file, line, column } = &record.state {
-                let place = match (file, line) {
-                    (Some(file), 0) => format!("{file}: "),
-                    (Some(file), _) => format!("{file}:{line}:{column}: "),
-                    (None, _) => String::new(),
-                };
-                text += &format!("  {} failed: {place}{message}\n", record.name);
-            }
+        answer.remarks.iter().for_each(|remark| text += &format!("  {remark}\n"));
+        let failed = |record: &&record::Record| matches!(record.state, State::Failed { .. });
+        for record in answer.records.iter().filter(failed) {
+            text += &format!("  {} failed: {}\n", record.name, state(record).1);
+        }
+        for record in reference.iter().filter(failed) {
+            text += &format!("  the reference's own film failed: {}\n", state(record).1);
         }
         text += &format!("  {}\n", shelf.folder.display());
         output::print(&text)

@@ -17,6 +17,9 @@ pub struct Answer {
     /// The name of the member that the others are compared with.
     pub reference: Option<String>,
     pub interrupted: bool,
+    /// What is to be known of its numbers: sentences.
+    #[serde(default)]
+    pub remarks: Vec<String>,
 }
 
 /// An axis of the sweep.
@@ -34,7 +37,7 @@ pub struct Record {
     pub key: String,
     /// Its place on each axis; empty where it was written by hand.
     pub at: Vec<usize>,
-    /// Paths and values by which it differs, as written.
+    /// Paths and values that it sets, as written; the last of a path wins.
     pub settings: Vec<(String, String)>,
     pub state: State,
     /// Of its film, samples ascending.

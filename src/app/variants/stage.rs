@@ -76,6 +76,11 @@ impl Stage {
         }
     }
 
+    /// Whether something was compiled since.
+    pub fn compiled(&self, before: &Tally) -> bool {
+        self.engine.compiled() != before.compiled
+    }
+
     /// Whether a film was begun since.
     pub fn began(&self, before: &Tally) -> bool {
         self.tally().films > before.films

@@ -10,9 +10,8 @@ use crate::app::Failure;
 use crate::app::shared::key::hash;
 use crate::app::shared::pictures::watch_pictures;
 use crate::files::Digest;
-use crate::scene::variants::{Chosen, Family, Goal, Member};
-use crate::scene::{self, Assets, Diagnostic, Loading, SceneDescription, Severity};
-use crate::shader::Library;
+use crate::scene::variants::{self, Chosen, Family, Goal, Member};
+use crate::scene::{Assets, Diagnostic, Loading, SceneDescription, Severity};
 
 /// The seed of the reference's own film: of no member that has a small one.
 const REFERENCE_SEED: u32 = 0x9e37_79b9;
@@ -50,7 +49,11 @@ pub struct Survey {
     pub codes: Codes,
     /// Each told once.
     pub warnings: Vec<Diagnostic>,
-    /// Every file that was read or looked for.
+    /// The folder of shaders of members that have none of their own, where it was named.
+    pub shaders: Option<PathBuf>,
+    /// What of the command line changes films, as words of a shell, each behind a space.
+    pub flags: String,
+    /// Every file that there is of those that were looked for.
     pub files: Vec<PathBuf>,
 }
 
@@ -82,7 +85,9 @@ pub fn survey(family: &Family, assets: &Assets, arguments: &VariantsArguments) -
     for subject in found.iter_mut().flatten() {
         subject.keys = numbering.keys(&subject.description, subject.code);
     }
-    Ok(Survey { found, codes, warnings, files: digests.into_keys().collect() })
+    let there = digests.into_iter().filter(|(_, digest)| digest.is_some());
+    let files = there.map(|(file, _)| file).collect();
+    Ok(Survey { found, codes, warnings, shaders: arguments.shaders.clone(), flags: arguments.repeated(), files })
 }
 
 struct Reader<'s> {
@@ -107,8 +112,8 @@ impl Reader<'_> {
             .map_err(|message| broken(Diagnostic { severity: Severity::Error, message, ..member.place.clone() }))?;
         let tell = watch_pictures(self.arguments.quiet);
         let loading = Loading { tell: &tell, ..Loading::default() };
-        let (loaded, files) = scene::attempt_in(&self.family.scene, &member.defines, &loading, self.assets);
-        let reads: u32 = self.assets.reads().values().sum();
+        let (loaded, files) = variants::load(self.family, member, &loading, self.assets);
+        let reads = self.assets.count();
         let read = reads - std::mem::replace(&mut self.reads, reads);
         let loaded = loaded.map_err(|errors| {
             let first = errors.list.iter().find(|error| error.severity == Severity::Error).or(errors.list.first());
@@ -121,8 +126,7 @@ impl Reader<'_> {
             }
         }
         let mut description = loaded.description;
-        if let Some(size) = self.arguments.size {
-            description.film.size = size;
+        if self.arguments.size == Some(description.film.size) {
             // A crop in pixels is one of the scene's own size.
             description.film.crop = None;
         }
@@ -164,8 +168,7 @@ impl Reader<'_> {
             let digest = self.digests.entry(file.clone()).or_insert_with(|| Digest::of(file).ok());
             digests.push((file.display().to_string(), *digest));
         }
-        let library: &Library = self.codes.library(code);
-        let modules: Vec<(&str, Option<u64>)> = library.modules().map(|name| (name, library.hash(name))).collect();
+        let modules = self.codes.library(code).hashes();
         let settings = (scene.film, scene.render, &scene.active, goal);
         let all = (env!("CARGO_PKG_VERSION"), settings, defines, digests, modules);
         format!("{:016x}", hash(all))

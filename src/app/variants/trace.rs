@@ -31,8 +31,15 @@ pub struct Traced {
 ///
 /// What is looked at follows from the goal alone, and never from the clock where that is no goal: films are the same to the bit, in one run
 /// or in several.
-pub fn trace(stage: &mut Stage, render: Render, goal: &Goal, watcher: &Watcher) -> Result<Option<Traced>, EngineError> {
-    warm_up(stage)?;
+/// `before` is what the stage had done when the member was put on it.
+pub fn trace(
+    stage: &mut Stage,
+    before: &Tally,
+    render: Render,
+    goal: &Goal,
+    watcher: &Watcher,
+) -> Result<Option<Traced>, EngineError> {
+    warm_up(stage, before)?;
     let mut snapshots = Vec::new();
     match goal {
         Goal::Samples(looks) => {
@@ -85,10 +92,9 @@ pub fn retake(stage: &mut Stage, before: &Tally) -> Result<Option<(FilmImage, u6
 
 /// Compiles what is missing. Some drivers compile a kernel when it first runs: what was traced meanwhile is traced again, so that no
 /// member's seconds are those of a compiler.
-fn warm_up(stage: &mut Stage) -> Result<(), EngineError> {
-    let before = stage.engine.compiled();
+fn warm_up(stage: &mut Stage, before: &Tally) -> Result<(), EngineError> {
     stage.engine.step(Duration::ZERO)?;
-    if stage.engine.compiled() != before {
+    if stage.compiled(before) {
         stage.engine.restart_film();
     }
     Ok(())

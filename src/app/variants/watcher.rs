@@ -1,5 +1,6 @@
 //! How far all members are, for the threads that render them.
 
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use crate::app::shared::compiling::watch_compiling;
@@ -10,14 +11,14 @@ use crate::app::shared::progress::{Goal, Meter};
 pub struct Watcher {
     pub interrupt: Interrupt,
     meter: Mutex<Meter>,
-    /// Members that are counted, where samples can't be known before.
-    counted: bool,
+    /// Members, or rounds, that are done: counted where samples can't be known before.
+    counted: Option<AtomicU64>,
 }
 
 impl Watcher {
-    /// `counted`: the goal's samples are members.
+    /// `counted`: the goal's samples are members, or rounds.
     pub fn new(name: &str, goal: Goal, counted: bool, interrupt: Interrupt, quiet: bool) -> Self {
-        Self { interrupt, meter: Mutex::new(Meter::new(name, goal, quiet)), counted }
+        Self { interrupt, meter: Mutex::new(Meter::new(name, goal, quiet)), counted: counted.then(AtomicU64::default) }
     }
 
     /// A member begins: `3 of 18`.
@@ -33,14 +34,16 @@ impl Watcher {
 
     /// Samples of a step.
     pub fn advance(&self, samples: u64, spp: u32) {
-        let samples = if self.counted { 0 } else { samples };
-        self.lock().advance(samples, spp);
+        if self.counted.is_none() {
+            self.lock().advance(samples, spp);
+        }
     }
 
     /// A member is done, or won't be.
     pub fn end(&self) {
-        if self.counted {
-            self.lock().advance(1, 0);
+        if let Some(counted) = &self.counted {
+            let done = counted.fetch_add(1, Ordering::Relaxed) + 1;
+            self.lock().show(done, &format!("{done} done"));
         }
     }
 

@@ -70,7 +70,8 @@ pub fn camera() -> Schema {
         ("up", or_none(tuple(3, number()))),
         ("fov_y", or_none(about("degrees from the bottom of the picture to its top", number()))),
     ];
-    object("a view", fields, &["position", "look_at"])
+    // What a file extends may have the others.
+    object("a view: position and look_at, unless the file extends one that has them", fields, &[])
 }
 
 pub fn environment() -> Schema {

@@ -31,13 +31,14 @@ fn by_path(doc: &str, of: impl Fn(Schema) -> Schema) -> Schema {
     for (group, name) in [(Group::Film, "film"), (Group::Render, "render")] {
         settings(group).for_each(|(field, schema)| add(format!("{name}.{field}"), or_none(schema)));
     }
-    let parts: [(&str, Schema); 7] = [
+    let parts: [(&str, Schema); 8] = [
         ("film", film()),
         ("render", render()),
         ("environment", environment()),
         ("models", list("what is in the scene", model())),
         ("camera", text("a view, by its name")),
         ("cameras", map("views, by name", or_none(camera()))),
+        ("scene", text("another scene file than that of `extends`, relative to this file")),
         ("shaders", text("a folder of shaders, relative to this file; None: those that all others have")),
     ];
     parts.into_iter().for_each(|(path, schema)| add(path.to_owned(), or_none(schema)));
@@ -101,5 +102,6 @@ fn goal() -> Schema {
         ("time", above(between(0.0, f64::MAX))),
         ("error", or_none(between(0.0, f64::MAX))),
     ];
-    object("when a member is done: one of these", fields, &[])
+    let one = fields.map(|(name, schema)| object("when a member is done", [(name, schema)], &[name]));
+    any(one.into())
 }

@@ -1,7 +1,7 @@
 //! What a variant file comes to: members, and what they are compared by.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::scene::define::Define;
 use crate::scene::diagnostic::Diagnostic;
@@ -15,7 +15,7 @@ pub struct Family {
     /// Of the file, without its ending.
     pub name: String,
     pub path: PathBuf,
-    /// The scene file that every member changes.
+    /// The scene file that members change, but for those that have their own.
     pub scene: PathBuf,
     pub axes: Vec<Axis>,
     /// The grid of the axes, the last fastest, and then those written by hand.
@@ -26,6 +26,13 @@ pub struct Family {
     pub warnings: Vec<Diagnostic>,
     /// All variant files that were read for it: of the chain of `extends`.
     pub files: Vec<PathBuf>,
+}
+
+impl Family {
+    /// The scene file that a member changes.
+    pub fn scene_of<'f>(&'f self, member: &'f Member) -> &'f Path {
+        member.scene.as_deref().unwrap_or(&self.scene)
+    }
 }
 
 /// What a sweep goes over.
@@ -45,6 +52,8 @@ pub struct Member {
     pub name: String,
     /// Its place on each axis; empty where it was written by hand.
     pub at: Vec<usize>,
+    /// Another scene file than the family's.
+    pub scene: Option<PathBuf>,
     pub defines: Vec<Define>,
     /// A folder of shaders, where it has its own.
     pub shaders: Option<PathBuf>,
@@ -52,6 +61,8 @@ pub struct Member {
     pub values: BTreeMap<String, String>,
     /// Where it is asked for: a warning without a message.
     pub place: Diagnostic,
+    /// A file or folder that it names is not there.
+    pub wrong: Option<Diagnostic>,
 }
 
 /// The member that the others are compared with.

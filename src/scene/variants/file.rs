@@ -165,8 +165,8 @@ fn read_goal(reader: &Reader, node: &Node) -> Option<Goal> {
         fields.read("time", |node| ascending(node, |node| node.number(1e-3, MOST_SECONDS))).map(Goal::Seconds);
     let error = fields.read("error", |node| node.number(1e-9, 1e3)).map(Goal::Error);
     let goals: Vec<Goal> = [samples, seconds, error].into_iter().flatten().collect();
-    if goals.len() != 1 {
-        fields.fail("one of `spp`, `time` and `error` is needed");
+    if ["spp", "time", "error"].into_iter().filter(|name| fields.get(name).is_some()).count() != 1 {
+        fields.fail("exactly one of `spp`, `time` and `error` is needed");
     }
     fields.finish().then_some(goals.into_iter().next()?)
 }
@@ -187,5 +187,5 @@ fn ascending<'a, T: PartialOrd>(
 }
 
 fn one(diagnostic: Diagnostic) -> Diagnostics {
-    Diagnostics { list: vec![diagnostic] }
+    diagnostic.into()
 }

@@ -38,14 +38,17 @@ pub fn enumerate(
         let place = family.sweep.first().map_or(family.place.clone(), |swept| swept.place.clone());
         return Err(fail(Diagnostic { severity: Severity::Error, message, ..place }.help("go through fewer values")));
     };
+    refuse_overlaps(&family.sweep).map_err(fail)?;
     // As every member begins.
     let mut plain = Member {
         name: String::new(),
         at: Vec::new(),
+        scene: None,
         defines: Vec::new(),
         shaders: None,
         values: BTreeMap::new(),
         place: Diagnostic { severity: Severity::Warning, ..family.place.clone() },
+        wrong: None,
     };
     for define in family.overrides.iter().chain(defines) {
         change(&mut plain, define).map_err(fail)?;
@@ -124,6 +127,24 @@ fn written(by_hand: &ByHand, plain: Member) -> Result<Member, Diagnostic> {
         change(&mut member, define)?;
     }
     Ok(member)
+}
+
+/// A path that two axes set, or of which one sets a part, would be what the later one says for all members.
+fn refuse_overlaps(axes: &[Swept]) -> Result<(), Diagnostic> {
+    let columns: Vec<_> = axes.iter().flat_map(|axis| &axis.columns).collect();
+    for (i, column) in columns.iter().enumerate() {
+        let is_over = |other: &str| {
+            let part = other.strip_prefix(column.path.as_str()).or(column.path.strip_prefix(other));
+            part.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        if let Some(other) = columns[..i].iter().find(|other| is_over(&other.path)) {
+            let message = format!("`{}` and `{}` are gone through at once", other.path, column.path);
+            let help =
+                "one would write over the other: go through one of them, or through both by one axis of named({..})";
+            return Err(Diagnostic { severity: Severity::Error, message, ..column.place.clone() }.help(help));
+        }
+    }
+    Ok(())
 }
 
 /// Two members of one name would be one file; also where only the case differs, for some systems know no case.

@@ -8,11 +8,13 @@ mod sweep;
 mod target;
 mod values;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::assets::Assets;
 use super::define::Define;
 use super::diagnostic::Diagnostics;
+use super::load::{Loaded, attempt_in};
+use super::textures::Loading;
 
 pub use family::{Axis, Chosen, Family, Goal, MOST_MEMBERS, Member};
 pub use file::is_family;
@@ -23,4 +25,17 @@ pub fn plan(path: &Path, defines: &[Define], assets: &Assets) -> Result<Family, 
     let mut files = Vec::new();
     let family = file::read_family(path, assets, &mut files)?;
     member::enumerate(path, family, defines, files)
+}
+
+/// The scene that a member is, and every file that was read or looked for.
+pub fn load(
+    family: &Family,
+    member: &Member,
+    loading: &Loading,
+    assets: &Assets,
+) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
+    match &member.wrong {
+        Some(wrong) => (Err(wrong.clone().into()), Vec::new()),
+        None => attempt_in(family.scene_of(member), &member.defines, loading, assets),
+    }
 }

@@ -1,14 +1,20 @@
 //! What a path of a sweep goes through: a list, even steps, steps of one factor, or named values.
 
-use super::label::{label_of, numbers};
+use super::family::MOST_MEMBERS;
+use super::label::{cut, label_of, labels_of, rounded};
+use std::collections::BTreeMap;
+
 use crate::scene::diagnostic::{Diagnostic, Severity};
 use crate::scene::ron::{Kind, Node};
 
-/// The most values of a path.
-const MOST: u32 = 10_000;
+/// The most values of a path: there are no more members.
+const MOST: u32 = MOST_MEMBERS as u32;
 
 /// Numbers of a range reach so far.
 const FARTHEST: f64 = 1e30;
+
+/// Digits of the numbers between its ends: 0.15, not 0.15000000000000002.
+const DIGITS: usize = 7;
 
 /// A value that a path gets.
 #[derive(Clone, Debug)]
@@ -32,7 +38,8 @@ pub fn values_of(node: &Node) -> Result<Vec<SweptValue>, Diagnostic> {
             let fields = inner(content).fields().map_err(|message| {
                 error(content, format!("named: {message}")).help("write named({\"name\": value, ..})")
             })?;
-            let named = |(name, _, value): &(String, &str, Node)| SweptValue { label: label_of(name), ..one(value) };
+            let named =
+                |(name, _, value): &(String, &str, Node)| SweptValue { label: cut(label_of(name)), ..one(value) };
             fields.iter().map(named).collect()
         }
         _ => {
@@ -51,7 +58,7 @@ pub fn values_of(node: &Node) -> Result<Vec<SweptValue>, Diagnostic> {
 /// A value that is written as it is.
 fn one(node: &Node) -> SweptValue {
     let text = node.string().unwrap_or_else(|_| node.source.to_owned());
-    SweptValue { label: label_of(&text), value: node.source.to_owned(), place: place_of(node) }
+    SweptValue { label: cut(label_of(&text)), value: node.source.to_owned(), place: place_of(node) }
 }
 
 /// `count` numbers from one to another: evenly, or each by the same factor.
@@ -78,20 +85,21 @@ fn steps(node: &Node, content: &Node, by_factor: bool) -> Result<Vec<SweptValue>
         match i {
             0 => from,
             _ if i == count - 1 => to,
-            _ if by_factor => from * (to / from).powf(part),
-            _ => from + (to - from) * part,
+            _ if by_factor => rounded(from * (to / from).powf(part), DIGITS),
+            _ => rounded(from + (to - from) * part, DIGITS),
         }
     };
     let values: Vec<f64> = (0..count).map(at).collect();
-    let texts = numbers(&values);
-    Ok(texts.into_iter().map(|text| SweptValue { label: text.clone(), value: text, place: place_of(node) }).collect())
+    let labels = labels_of(&values).into_iter();
+    let swept = |(label, value): (String, &f64)| SweptValue { label, value: value.to_string(), place: place_of(node) };
+    Ok(labels.zip(&values).map(swept).collect())
 }
 
 /// Two values of one label would be two members of one name.
 pub fn refuse_equal(values: &[SweptValue]) -> Result<(), Diagnostic> {
-    for (i, value) in values.iter().enumerate() {
-        let again = values[..i].iter().find(|other| other.label.eq_ignore_ascii_case(&value.label));
-        if let Some(first) = again {
+    let mut known: BTreeMap<String, &SweptValue> = BTreeMap::new();
+    for value in values {
+        if let Some(first) = known.insert(value.label.to_lowercase(), value) {
             let place = if first.place.line > 0 { format!(", as in line {}", first.place.line) } else { String::new() };
             let message = format!("a second value named `{}`{place}", value.label);
             return Err(Diagnostic { severity: Severity::Error, message, ..value.place.clone() }

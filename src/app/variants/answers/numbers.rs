@@ -1,5 +1,7 @@
 //! Numbers as users read them, and what follows from a record.
 
+use std::collections::BTreeSet;
+
 use crate::app::variants::record::{Answer, Record, Snapshot, State};
 
 /// Three digits that say something: 0.0123, 4.56, 1230; by powers of ten where that would be long.
@@ -56,14 +58,20 @@ fn located(message: &str, file: Option<&str>, line: u32, column: u32) -> String 
     }
 }
 
-/// Every path that a member sets, in the order of first use.
+/// Every path by which members differ, in the order of first use.
 pub fn paths(answer: &Answer) -> Vec<&str> {
-    let mut paths: Vec<&str> = Vec::new();
+    let (mut paths, mut known): (Vec<&str>, BTreeSet<&str>) = Default::default();
     for (path, _) in answer.records.iter().flat_map(|record| &record.settings) {
-        if !paths.contains(&path.as_str()) {
+        if known.insert(path) {
             paths.push(path);
         }
     }
+    let differ = |path: &&str| {
+        let mut values = answer.records.iter().map(|record| setting(record, path));
+        let first = values.next();
+        values.any(|value| Some(value) != first)
+    };
+    paths.retain(differ);
     paths
 }
 

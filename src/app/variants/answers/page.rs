@@ -36,12 +36,16 @@ pub fn html(answer: &Answer, folder: &Path) -> String {
 pub fn html_within(answer: &Answer, folder: &Path, most: u64) -> String {
     let length = |record: &Record| std::fs::metadata(picture_of(folder, &record.name)).map_or(0, |file| file.len());
     let small = answer.records.iter().map(length).sum::<u64>() > most;
-    let members: Vec<Value> = answer.records.iter().map(|record| member(answer, record, folder, small)).collect();
+    // Small enough that all of them together are as much as a page may hold, three bytes a pixel.
+    let side = (most / 3 / answer.records.len().max(1) as u64).isqrt().clamp(24, u64::from(sheet::SIDE)) as u32;
+    let side = small.then_some(side);
+    let paths = paths(answer);
+    let members: Vec<Value> = answer.records.iter().map(|record| member(&paths, record, folder, side)).collect();
     let data = json!({
         "name": answer.name,
         "reference": answer.reference,
         "small": small,
-        "paths": paths(answer),
+        "paths": paths,
         "blocks": blocks(answer).iter().map(|block| json!({
             "title": block.title,
             "rowAxis": block.row_axis,
@@ -80,7 +84,7 @@ pub fn html_within(answer: &Answer, folder: &Path, most: u64) -> String {
     page
 }
 
-fn member(answer: &Answer, record: &Record, folder: &Path, small: bool) -> Value {
+fn member(paths: &[&str], record: &Record, folder: &Path, small: Option<u32>) -> Value {
     let (word, note) = state(record);
     let last = record.snapshots.last();
     let (picture, note) = match record.state {
@@ -95,7 +99,7 @@ fn member(answer: &Answer, record: &Record, folder: &Path, small: bool) -> Value
         "state": word,
         "note": note,
         "picture": picture,
-        "settings": paths(answer).iter().map(|path| setting(record, path)).collect::<Vec<_>>(),
+        "settings": paths.iter().map(|path| setting(record, path)).collect::<Vec<_>>(),
         "spp": last.map(|s| s.spp),
         "seconds": last.map(|s| s.seconds),
         "rays": last.map(|s| s.rays),
@@ -111,16 +115,16 @@ fn member(answer: &Answer, record: &Record, folder: &Path, small: bool) -> Value
     })
 }
 
-/// A member's picture as a part of the page.
-fn picture(record: &Record, folder: &Path, small: bool) -> Result<String, String> {
+/// A member's picture as a part of the page; a small one of that many pixels at most a side.
+fn picture(record: &Record, folder: &Path, small: Option<u32>) -> Result<String, String> {
     let path = picture_of(folder, &record.name);
     let whole = || std::fs::read(&path).map_err(|error| format!("{}: can't read: {error}", path.display()));
-    let content = if small { reduced(&path)? } else { whole()? };
+    let content = small.map_or_else(whole, |side| reduced(&path, side))?;
     Ok(format!("data:image/png;base64,{}", STANDARD.encode(content)))
 }
 
-fn reduced(path: &Path) -> Result<Vec<u8>, String> {
-    let thumb = Thumb::read(path, sheet::SIDE).map_err(|error| error.to_string())?;
+fn reduced(path: &Path, side: u32) -> Result<Vec<u8>, String> {
+    let thumb = Thumb::read(path, side).map_err(|error| error.to_string())?;
     let canvas = Canvas { size: thumb.size, pixels: thumb.pixels };
     canvas.png().map_err(|error| format!("{}: {error}", path.display()))
 }

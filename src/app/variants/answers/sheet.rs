@@ -29,6 +29,9 @@ const TITLE: u32 = 22;
 const HEADING: u32 = 16;
 const LABEL: u32 = 14;
 
+/// Lines of a text, at most.
+const LINES: usize = 3;
+
 /// Room for the labels of rows.
 const ROW_LABEL: u32 = 150;
 
@@ -150,7 +153,8 @@ impl Planner<'_> {
         let wide = columns.saturating_mul(room.x + GAP).max(room.x);
         let mut at = start;
         if !self.block.title.is_empty() {
-            at.y += self.say(&self.block.title.clone(), HEADING, wide, at, INK).y + GAP;
+            let labels = if self.block.rows.is_empty() { 0 } else { ROW_LABEL };
+            at.y += self.say(&self.block.title.clone(), HEADING, labels + wide, at, INK).y + GAP;
         }
         let grid = !self.block.rows.is_empty();
         if grid {
@@ -184,7 +188,7 @@ impl Planner<'_> {
 
     /// Puts a text there; returns its size.
     fn say(&mut self, said: &str, height: u32, width: u32, at: UVec2, colour: [u8; 3]) -> UVec2 {
-        let text = self.lettering.lay(said, height, width, if height == LABEL { 2 } else { 1 });
+        let text = self.lettering.lay(said, height, width, LINES);
         let size = text.size();
         if !self.dry {
             self.sheet.label(said.to_owned(), text, at, colour);

@@ -89,6 +89,9 @@ pub fn head(answer: &Answer) -> String {
             " relMSE, FLIP and mean are against `{reference}`: the mean is the member's as part of the reference's."
         );
     }
+    for remark in &answer.remarks {
+        let _ = write!(text, " {remark}");
+    }
     text
 }
 

@@ -6,6 +6,7 @@
 mod racer;
 mod report;
 
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 pub use report::text;
@@ -26,6 +27,9 @@ use racer::{Racer, Shooter};
 /// Samples a pixel of a film, at first and at most, where `--spp` says nothing.
 const SPP: [u32; 2] = [4, 64];
 
+/// Means are looked at after so many rounds, and after twice as many, and so on.
+const FIRST_LOOK: u32 = 8;
+
 /// A film that takes less says little of time.
 const LEAST_SECONDS: f64 = 0.02;
 
@@ -38,8 +42,8 @@ pub struct Raced<'s> {
     pub rounds: u32,
     /// Part of the time of all rounds by all members that was not spent.
     pub saved: f64,
-    /// Members whose means differ from those of the first member of the same picture.
-    pub wrong: Vec<usize>,
+    /// Members whose means differ from those of another member of the same picture, and which that is.
+    pub wrong: BTreeMap<usize, usize>,
     pub adapter: String,
     pub interrupted: bool,
     pub spp: u32,
@@ -79,7 +83,7 @@ pub fn run<'s>(
         lost: Vec::new(),
         rounds: 0,
         saved: 0.0,
-        wrong: Vec::new(),
+        wrong: BTreeMap::new(),
         adapter,
         interrupted: !ready,
         spp,
@@ -95,9 +99,10 @@ fn too_few() -> Failure {
     Failure::usage("--race: fewer than two members can run", "name more with --only, or leave it away")
 }
 
-/// As many samples as make a film last.
+/// As many samples as make a film last. The first film does not count: some drivers compile meanwhile.
 fn spp(shooter: &mut Shooter, racer: &Racer) -> Result<u32, EngineError> {
     let mut spp = SPP[0];
+    shooter.film(racer, spp)?;
     while spp < SPP[1] {
         match shooter.film(racer, spp)? {
             Some(shot) if shot.seconds < LEAST_SECONDS => spp *= 2,
@@ -174,6 +179,9 @@ fn rounds(shooter: &mut Shooter, result: &mut Raced, arguments: &VariantsArgumen
         }
         result.rounds += 1;
         result.compare(&films);
+        if result.rounds >= FIRST_LOOK && result.rounds.is_power_of_two() {
+            result.leave_wrong();
+        }
         let lost = result.race.add(&laps);
         result.lost.extend(lost);
         for (number, pair) in films {
@@ -185,30 +193,33 @@ fn rounds(shooter: &mut Shooter, result: &mut Raced, arguments: &VariantsArgumen
 }
 
 impl Raced<'_> {
-    /// The means of films of the same picture, against those of the first member of it.
+    /// The means of films of the same picture, against those of the first member of it that ran in this round.
     fn compare(&mut self, films: &[(usize, [racer::Shot; 2])]) {
-        let of = |number: usize| films.iter().find(|(at, _)| *at == number).map(|(_, pair)| pair);
-        for number in 0..self.racers.len() {
-            let first = self.first(number);
-            if let (true, Some(old), Some(new)) = (first != number, of(first), of(number)) {
-                self.racers[number].compare(old, new);
+        let mut ran: Vec<&(usize, [racer::Shot; 2])> = films.iter().collect();
+        ran.sort_by_key(|(number, _)| *number);
+        for (number, new) in &ran {
+            let alike = |other: usize| self.racers[other].picture_key == self.racers[*number].picture_key;
+            let first = ran.iter().find(|(other, _)| alike(*other));
+            if let Some((first, old)) = first.filter(|(first, _)| first != number) {
+                self.racers[*number].compare(*first, old, new);
             }
         }
     }
 
-    /// The first member of the same picture.
-    fn first(&self, number: usize) -> usize {
-        let key = &self.racers[number].picture_key;
-        self.racers.iter().position(|racer| racer.picture_key == *key).unwrap_or(number)
-    }
-
-    /// Looks at means, and adds up what was saved of so many rounds.
-    fn finish(&mut self, rounds: u32) {
+    /// Members that are wrong leave, before they can end others by being fast.
+    fn leave_wrong(&mut self) {
         for (number, racer) in self.racers.iter_mut().enumerate() {
-            if racer.differs() {
-                self.wrong.push(number);
+            if let Some(other) = racer.differs() {
+                self.wrong.insert(number, other);
+                self.race.remove(number);
             }
         }
+    }
+
+    /// Looks at means a last time, and adds up what was saved of `rounds`, or of as many as there was time for.
+    fn finish(&mut self, rounds: u32) {
+        self.leave_wrong();
+        let rounds = if self.race.alive().count() <= 1 { rounds } else { self.rounds };
         let (mut spent, mut planned) = (0.0, 0.0);
         for number in 0..self.racers.len() {
             if let Some(lap) = self.race.average(number) {

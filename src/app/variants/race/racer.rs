@@ -55,6 +55,8 @@ pub struct Racer<'s> {
     pub rays: u64,
     pub bad_samples: u64,
     means: Option<MeansTest>,
+    /// The member that its means were compared with last.
+    compared_with: usize,
 }
 
 impl<'s> Racer<'s> {
@@ -76,6 +78,7 @@ impl<'s> Racer<'s> {
             rays: 0,
             bad_samples: 0,
             means: None,
+            compared_with: index,
         })
     }
 
@@ -128,8 +131,9 @@ impl<'s> Racer<'s> {
         }
     }
 
-    /// Two films of another member of the same picture, and two of this one.
-    pub fn compare(&mut self, old: &[Shot; 2], new: &[Shot; 2]) {
+    /// Two films of another member of the same picture, by its number in the race, and two of this one.
+    pub fn compare(&mut self, other: usize, old: &[Shot; 2], new: &[Shot; 2]) {
+        self.compared_with = other;
         if let Some(means) = &mut self.means {
             for (old, new) in old.iter().zip(new) {
                 means.add(&old.radiance, &new.radiance);
@@ -137,9 +141,10 @@ impl<'s> Racer<'s> {
         }
     }
 
-    /// Whether its mean is another than that of the member it was compared with.
-    pub fn differs(&mut self) -> bool {
-        self.means.as_mut().is_some_and(|means| means.tells() && means.look().differ())
+    /// The member that it was compared with, if its mean is another. Each look spends part of [`ALPHA`].
+    pub fn differs(&mut self) -> Option<usize> {
+        let differs = self.means.as_mut().is_some_and(|means| means.tells() && means.look().differ());
+        differs.then_some(self.compared_with)
     }
 
     /// Films that count.

@@ -7,6 +7,7 @@ use crate::app::shared::key::hash;
 use crate::app::variants::blank::blank;
 use crate::app::variants::jobs::repeat;
 use crate::app::variants::record::{Record, Snapshot, State};
+use crate::app::variants::survey::Survey;
 use crate::engine::FilmImage;
 use crate::image::srgb::srgb_byte;
 use crate::scene::variants::Family;
@@ -16,11 +17,12 @@ pub type Pictured = (FilmImage, Vec<(&'static str, String)>);
 
 impl Raced<'_> {
     /// The record and the film of every member that has one: its mean over all rounds. `relmse` is of that picture.
-    pub fn records(&self, family: &Family) -> Vec<(usize, Record, Option<Pictured>)> {
+    pub fn records(&self, family: &Family, survey: &Survey) -> Vec<(usize, Record, Option<Pictured>)> {
         let one = |(number, racer): (usize, &Racer)| {
-            let state = match (&racer.error, self.lost.iter().find(|lost| lost.member == number)) {
+            let wrong = self.wrong.get(&number).map(|other| different(self.racers[*other].name()));
+            let state = match (racer.error.clone().or(wrong), self.lost.iter().find(|lost| lost.member == number)) {
                 (Some(message), _) => State::Failed {
-                    message: message.clone(),
+                    message,
                     file: Some(family.path.display().to_string()),
                     line: racer.subject.member.place.line,
                     column: racer.subject.member.place.column,
@@ -35,10 +37,10 @@ impl Raced<'_> {
             record.key = format!("{:016x}", hash(("race", &record.key, racer.spp)));
             let Some(film) = film else { return (racer.index, record, None) };
             let described = Described {
-                path: &family.scene,
+                path: family.scene_of(&racer.subject.member),
                 description: &racer.subject.description,
                 defines: &racer.subject.member.defines,
-                shaders: racer.subject.member.shaders.as_deref(),
+                shaders: survey.shaders.as_deref(),
                 window: film.window,
                 spp: film.spp,
                 adapter: &self.adapter,
@@ -50,7 +52,7 @@ impl Raced<'_> {
                 mean: film.mean,
                 bad_samples: racer.bad_samples,
                 adapter: self.adapter.clone(),
-                repeat: repeat(family, racer.subject, &described),
+                repeat: repeat(family, survey, racer.subject, &described),
                 ..record
             };
             (racer.index, record, Some((film, described.metadata())))
@@ -78,6 +80,11 @@ fn film(racer: &Racer, rgb: Vec<[f32; 3]>) -> FilmImage {
         mean,
         relative_error: racer.relmse(),
     }
+}
+
+/// What is wrong with a member that isn't slow.
+fn different(other: &str) -> String {
+    format!("its mean differs from that of {other}, which is to be the same picture")
 }
 
 /// A line a member, the best first; and what was saved.
@@ -109,8 +116,11 @@ pub fn text(raced: &Raced) -> String {
             }
             (None, None) => format!("in the race to its end, {:.2} s", racer.seconds),
         };
-        let wrong = if raced.wrong.contains(&number) { "; its mean differs: wrong, not slow" } else { "" };
-        text += &format!("  {}: {told}{wrong}\n", racer.name());
+        let told = match raced.wrong.get(&number) {
+            Some(other) => format!("wrong, not slow: {}", different(raced.racers[*other].name())),
+            None => told,
+        };
+        text += &format!("  {}: {told}\n", racer.name());
     }
     let key = &raced.racers[0].picture_key;
     if raced.racers.iter().any(|racer| racer.picture_key != *key) {

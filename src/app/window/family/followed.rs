@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::listing::Listing;
-use crate::scene::variants::{Family, Member, plan};
-use crate::scene::{Assets, Define, Diagnostics, Loaded, Loading, attempt_in};
+use crate::scene::variants::{Family, Member, load, plan};
+use crate::scene::{Assets, Define, Diagnostics, Loaded, Loading};
 use crate::shader::Layers;
 use crate::watch::Attempt;
 
@@ -20,12 +20,22 @@ pub struct Followed {
     /// For members that have no shaders of their own.
     pub shaders: Option<PathBuf>,
     pub listing: SharedListing,
-    assets: Assets,
+    assets: Arc<Assets>,
+    /// All variant files of the chain, as they were read last without a mistake.
+    files: Vec<PathBuf>,
 }
 
 impl Followed {
-    pub fn new(path: PathBuf, defines: Vec<Define>, shaders: Option<PathBuf>, listing: SharedListing) -> Self {
-        Self { path, defines, shaders, listing, assets: Assets::new() }
+    /// `assets` are what was read before, and `files` the variant files of the chain as they were then.
+    pub fn new(
+        path: PathBuf,
+        defines: Vec<Define>,
+        shaders: Option<PathBuf>,
+        listing: SharedListing,
+        assets: Arc<Assets>,
+        files: Vec<PathBuf>,
+    ) -> Self {
+        Self { path, defines, shaders, listing, assets, files }
     }
 
     /// The family as its file is now.
@@ -38,9 +48,13 @@ impl Followed {
     pub fn read(&mut self) -> Attempt {
         let family = match self.plan() {
             Ok(family) => family,
-            // Which files a broken one names is not known.
-            Err(errors) => return Attempt { scene: Err(errors), files: vec![self.path.clone()], shaders: None },
+            // What it extends may be what is wrong: that is looked at again too.
+            Err(errors) => {
+                let files = std::iter::once(&self.path).chain(&self.files).cloned().collect();
+                return Attempt { scene: Err(errors), files, shaders: None };
+            }
         };
+        self.files.clone_from(&family.files);
         let wanted = {
             let mut listing = self.listing.lock().unwrap_or_else(PoisonError::into_inner);
             listing.replace(family.members.iter().map(|member| member.name.clone()).collect());
@@ -55,7 +69,7 @@ impl Followed {
 
     /// A member as its scene alone would be, by the member's name.
     pub fn load(&self, family: &Family, member: &Member) -> Attempt {
-        let (mut scene, read) = attempt_in(&family.scene, &member.defines, &Loading::default(), &self.assets);
+        let (mut scene, read) = load(family, member, &Loading::default(), &self.assets);
         let mut files = family.files.clone();
         files.extend(read.into_iter().filter(|file| !family.files.contains(file)));
         if let Ok(Loaded { description, warnings, files: named, .. }) = &mut scene {

@@ -11,7 +11,7 @@ pub use listing::Listing;
 use crate::app::Failure;
 use crate::app::shared::failure::show;
 use crate::app::shared::scene::{Opened, SceneFlags};
-use crate::scene::Diagnostics;
+use crate::scene::{Assets, Diagnostics};
 use crate::shader::{Layers, Library};
 use crate::watch::{Attempt, Sources, WatchedScene};
 use followed::{Followed, SharedListing};
@@ -24,16 +24,21 @@ pub struct Family {
     listing: SharedListing,
     /// The shaders of the member that was opened.
     layers: Layers,
+    /// What was read for it.
+    assets: Arc<Assets>,
+    /// The variant files of the chain.
+    files: Vec<PathBuf>,
 }
 
 impl Family {
     /// Reads a variant file, and opens its first member that is right; those before it are told.
     pub fn open(path: &Path, flags: &SceneFlags) -> Result<(Family, Opened, Library), Failure> {
         let listing = Arc::new(Mutex::new(Listing::default()));
-        let followed = followed(path, flags, &listing);
+        let assets = Arc::new(Assets::new());
+        let followed = followed(path, flags, &listing, &assets, Vec::new());
         let family = followed.plan()?;
         *lock(&listing) = Listing::new(family.members.iter().map(|member| member.name.clone()).collect());
-        let mut wrong: Option<Diagnostics> = None;
+        let mut wrong: Vec<Diagnostics> = Vec::new();
         for member in &family.members {
             let Attempt { scene, files, shaders } = followed.load(&family, member);
             match scene {
@@ -46,22 +51,21 @@ impl Family {
                     let library = layers.read()?;
                     lock(&listing).choose(&member.name);
                     let opened = Opened { path: path.to_path_buf(), description, files };
-                    return Ok((
-                        Family { path: path.to_path_buf(), flags: flags.clone(), listing, layers },
-                        opened,
-                        library,
-                    ));
+                    let (path, flags) = (path.to_path_buf(), flags.clone());
+                    return Ok((Family { path, flags, listing, layers, assets, files: family.files }, opened, library));
                 }
-                // What is wrong with all members is told once.
-                Err(errors) => drop(wrong.get_or_insert(errors)),
+                // What is wrong with several members is told once.
+                Err(errors) if wrong.iter().any(|known| known.list == errors.list) => {}
+                Err(errors) => wrong.push(errors),
             }
         }
-        Err(wrong.unwrap_or_default().into())
+        let list = wrong.into_iter().flat_map(|errors| errors.list).collect();
+        Err(Diagnostics { list }.into())
     }
 
     /// What an engine that runs a member with `library` is to watch.
     pub fn sources(&self, opened: Opened, library: Library) -> Sources {
-        let mut followed = followed(&self.path, &self.flags, &self.listing);
+        let mut followed = followed(&self.path, &self.flags, &self.listing, &self.assets, self.files.clone());
         let scene = WatchedScene { read: Box::new(move || followed.read()), adjust: self.flags.adjusting() };
         Sources {
             shaders: Some((self.layers.clone(), library)),
@@ -85,9 +89,15 @@ impl Family {
     }
 }
 
-fn followed(path: &Path, flags: &SceneFlags, listing: &SharedListing) -> Followed {
+fn followed(
+    path: &Path,
+    flags: &SceneFlags,
+    listing: &SharedListing,
+    assets: &Arc<Assets>,
+    files: Vec<PathBuf>,
+) -> Followed {
     let shaders = flags.shader_folder().map(Path::to_path_buf);
-    Followed::new(path.to_path_buf(), flags.define.clone(), shaders, listing.clone())
+    Followed::new(path.to_path_buf(), flags.define.clone(), shaders, listing.clone(), assets.clone(), files)
 }
 
 fn lock(listing: &SharedListing) -> MutexGuard<'_, Listing> {

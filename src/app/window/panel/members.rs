@@ -1,6 +1,6 @@
 //! The members of a family to choose from.
 
-use egui::{Image, ScrollArea, Ui, Vec2};
+use egui::{Image, Rect, ScrollArea, Sense, Ui, Vec2};
 
 use crate::app::window::family::Listing;
 use crate::app::window::thumbs::{SIDE, Thumbs};
@@ -26,13 +26,12 @@ pub fn show(ui: &mut Ui, members: &Listing, shown: &str, thumbs: &mut Thumbs) ->
                 let waits = members.wanted() == Some(name) && name != shown;
                 let text = if waits { format!("{name} ..") } else { name.clone() };
                 ui.horizontal(|ui| {
-                    let centred = egui::Layout::centered_and_justified(egui::Direction::TopDown);
-                    let picture = thumbs.texture(ui.ctx(), name).map(|texture| Image::new(texture).max_size(room));
-                    let pressed = ui.allocate_ui_with_layout(room, centred, |ui| match picture {
-                        Some(picture) => ui.add(picture.sense(egui::Sense::click())).clicked(),
-                        None => false,
-                    });
-                    if ui.selectable_label(name == shown, text).clicked() || pressed.inner {
+                    let (rect, pressed) = ui.allocate_exact_size(room, Sense::click());
+                    if let Some(texture) = thumbs.texture(ui.ctx(), name) {
+                        let size = texture.size_vec2() * (room / texture.size_vec2()).min_elem();
+                        Image::new(texture).paint_at(ui, Rect::from_center_size(rect.center(), size));
+                    }
+                    if ui.selectable_label(name == shown, text).clicked() || pressed.clicked() {
                         chosen = Some(name.clone());
                     }
                 });
