@@ -66,7 +66,7 @@ pub struct VariantsArguments {
 impl VariantsArguments {
     /// What is changed of every scene before members are: by `-D`, and by `--size`.
     pub fn defines(&self) -> Vec<Define> {
-        let size = self.size.map(|size| Define::given("film.size", &format!("({}, {})", size.x, size.y)));
+        let size = self.size.map(|size| Define::given("film.size", format!("({}, {})", size.x, size.y)));
         self.define.iter().cloned().chain(size).collect()
     }
 
