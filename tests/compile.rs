@@ -42,9 +42,10 @@ fn kind_of_driver() -> usize {
     }
 }
 
-/// Links, compiles and first runs the kernel with every feature.
-fn compile() -> Duration {
-    let room = Room { roulette: true, next_event: true, sampler: Source::Sobol, ..Room::cornell() };
+/// Links, compiles and first runs the kernel with every feature of a Cornell box, where everything may have a coat.
+fn compile(coat: f32) -> Duration {
+    let mut room = Room { roulette: true, next_event: true, sampler: Source::Sobol, ..Room::cornell() };
+    room.materials.iter_mut().for_each(|material| (material.coat, material.coat_alpha) = (coat, 0.1 * coat));
     let mut rig = support::rig();
     room.load(&mut rig);
     let params = room.params(UVec2::splat(8));
@@ -58,7 +59,17 @@ fn compile() -> Duration {
 #[test]
 #[ignore = "runs in a process of its own, started by the test below"]
 fn compile_alone() {
-    let took: Vec<_> = (0..5).map(|_| compile().as_millis().to_string()).collect();
+    print_five(0.0);
+}
+
+#[test]
+#[ignore = "tells how long a coat takes, beside the one above: with caches off, as below"]
+fn compile_coated() {
+    print_five(1.0);
+}
+
+fn print_five(coat: f32) {
+    let took: Vec<_> = (0..5).map(|_| compile(coat).as_millis().to_string()).collect();
     println!("\n{MARK}{}", took.join(" "));
 }
 

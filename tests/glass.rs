@@ -31,7 +31,7 @@ fn equals_the_f64_twin() {
 fn an_error_of_one_percent_is_seen() {
     let room = Room::glass();
     for (module, right, wrong) in [
-        ("mixture", "eta_squared(at) * m.tf, beyond", "1.01 * eta_squared(at) * m.tf, beyond"),
+        ("glass", "eta_squared(at) * m.tf, beyond", "1.01 * eta_squared(at) * m.tf, beyond"),
         ("mixture", "m.ks / m.specular_probability, is_above", "0.99 * m.ks / m.specular_probability, is_above"),
         ("mixture", "0.0, m.tf)", "0.0, 1.01 * m.tf)"),
         ("ggx", "0.5 * density / reach_o", "0.505 * density / reach_o"),

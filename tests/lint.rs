@@ -31,6 +31,7 @@ fn surfaces() -> Vec<Named> {
         pack("mirror", Material { lobe: Lobe::Mirror, ..grey(0.0, 1.0) }),
         pack("half mirror", Material { lobe: Lobe::Mirror, ..grey(0.5, 0.5) }),
         pack("glass", Material { passage: Passage::Glass(1.5), ..grey(0.0, 0.0) }),
+        pack("pane", Material { passage: Passage::Pane(1.5), ..grey(0.0, 0.0) }),
         pack("thin", Material { passage: Passage::SeeThrough(0.3), ..grey(0.8, 0.0) }),
         pack(
             "hardly there",
@@ -38,6 +39,10 @@ fn surfaces() -> Vec<Named> {
         ),
     ];
     for (kd, ks) in [(0.0, 1.0), (0.5, 0.4), (0.9, 0.02)] {
+        for coat_roughness in [0.0, 0.1, 0.5] {
+            let name = format!("coat of {coat_roughness} {ks}");
+            all.push(pack(&name, Material { coat: 0.9, coat_roughness, lobe: Lobe::Ggx(0.5), ..grey(kd, ks) }));
+        }
         for ns in [1.0, 10.0, 100.0, 1e3, 1e4, 1e5] {
             all.push(pack(&format!("Phong {ns} {ks}"), Material { lobe: Lobe::Phong(ns), ..grey(kd, ks) }));
         }

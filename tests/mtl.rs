@@ -23,7 +23,7 @@ fn read_named(name: &str, mtl: &str) -> (MtlMaterial, Vec<Diagnostic>) {
 fn a_whole_material_arrives_without_warnings() {
     let (material, warnings) = read(
         "# a comment\nnewmtl other\nKd 0 0 0\n\nnewmtl a\nKd 0.1 0.2 0.3\nKs 0.4 0.5 0.6\nNs 33\nKe 1 2 3\nNi 1.5\nd 1\n\
-         Tr 0\nTf 1 0.5 1\nPr 0.25\nPm 0.75\nillum 2\n",
+         Tr 0\nTf 1 0.5 1\nPr 0.25\nPm 0.75\nPc 0.5\nPcr 0.125\nillum 2\n",
     );
     assert!(warnings.is_empty(), "{warnings:?}");
     assert_eq!(material.kd, Vec3::new(0.1, 0.2, 0.3));
@@ -32,6 +32,7 @@ fn a_whole_material_arrives_without_warnings() {
     assert_eq!(material.ke, Vec3::new(1.0, 2.0, 3.0));
     assert_eq!((material.ni, material.d, material.tf, material.illum), (1.5, 1.0, Vec3::new(1.0, 0.5, 1.0), 2));
     assert_eq!((material.pr, material.pm), (Some(0.25), 0.75));
+    assert_eq!((material.pc, material.pcr), (0.5, 0.125));
     assert!(!material.one_sided);
 }
 
@@ -128,7 +129,8 @@ const DOUBTFUL: &[(&str, u32, &str)] = &[
     ("Ka 1 1 1", 1, "no meaning in path tracing"),
     ("Pr 2", 4, "taken as 1"),
     ("Pm -1", 4, "taken as 0"),
-    ("Pc 0.5", 1, "`Pc` is not honoured yet"),
+    ("aniso 0.5", 1, "`aniso` is not honoured yet"),
+    ("map_Pc coat.png", 1, "`map_Pc` is not honoured yet"),
     ("Kdd 1 1 1", 1, "did you mean `Kd`"),
     ("something 1", 1, "unknown statement `something`"),
     ("newmtl", 1, "without a name"),
@@ -182,6 +184,10 @@ const LOOKS: &[(&str, Passage, &str)] = &[
     ("illum 3", Passage::Opaque, "diffuse"),
     ("illum 3\nKs 0.9 0.9 0.9\nPr 0.3", Passage::Opaque, "glossy"),
     ("Pr 0.3\nPm 1", Passage::Opaque, "metal"),
+    ("Pc 1", Passage::Opaque, "coated"),
+    ("Pc 0.5\nPcr 0.2\nKs 0.1 0.1 0.1", Passage::Opaque, "coated"),
+    ("Pc 1\nPm 1\nPr 0.3", Passage::Opaque, "metal"),
+    ("Pc 1\nd 0.5", Passage::SeeThrough(0.5), "see-through"),
     ("Ke 1 1 1\nillum 4", Passage::Opaque, "light"),
 ];
 
@@ -317,6 +323,7 @@ fn a_library_that_is_no_text_is_an_error() {
 #[test]
 fn every_material_has_numbers_that_come_to_it() {
     let grey = Material { specular: Vec3::splat(0.2), metallic: 0.25, one_sided: true, ..Material::default() };
+    let grey = Material { coat: 0.5, coat_roughness: 0.25, ..grey };
     for lobe in [Lobe::Phong(30.0), Lobe::Ggx(0.4), Lobe::Mirror] {
         for passage in [Passage::Opaque, Passage::SeeThrough(0.5), Passage::SeeThrough(0.0)] {
             let material = Material { lobe, passage, filter: Vec3::new(1.0, 0.5, 0.25), emission: Vec3::X, ..grey };
@@ -326,6 +333,8 @@ fn every_material_has_numbers_that_come_to_it() {
     for (index, filter) in [(1.5, Vec3::ONE), (1.0, Vec3::new(1.0, 0.5, 0.25))] {
         let glass = Material { passage: Passage::Glass(index), filter, ..grey };
         assert_eq!(MtlMaterial::from(glass).material(), glass);
+        let pane = Material { passage: Passage::Pane(index), ..glass };
+        assert_eq!(MtlMaterial::from(pane).material(), pane);
     }
     // What neither bends nor filters is not there.
     let nothing = Material { passage: Passage::Glass(1.0), ..grey };

@@ -222,6 +222,25 @@ fn an_illum_in_a_scene_file_is_held_to_the_same_numbers() {
 }
 
 #[test]
+fn thin_makes_a_pane_of_glass_and_of_nothing_else() {
+    for (edit, passage, told) in [
+        ("thin: true, illum: 4, ni: 1.5", Passage::Pane(1.5), 0),
+        ("thin: false, illum: 4, ni: 1.5", Passage::Glass(1.5), 0),
+        ("thin: true, illum: 7, tf: (0.5, 1, 1)", Passage::Pane(1.0), 0),
+        ("thin: true", Passage::Opaque, 1),
+        ("thin: true, d: 0.5", Passage::SeeThrough(0.5), 1),
+    ] {
+        let text = format!("(models: [(path: \"square.obj\")], materials: {{ \"red\": ({edit}) }})");
+        let loaded = load_text(&text, &[]).unwrap_or_else(|errors| panic!("{errors}"));
+        let material = &loaded.description.materials["square:red"];
+        assert_eq!(material.passage(), passage, "{edit}");
+        assert_eq!(material.appearance().kind == "pane", matches!(passage, Passage::Pane(_)), "{edit}");
+        let found = loaded.warnings.iter().filter(|warning| warning.message.contains("makes no pane")).count();
+        assert_eq!(found, told, "{edit}: {:?}", loaded.warnings);
+    }
+}
+
+#[test]
 fn assets_are_known_by_their_content_where_their_ending_says_nothing() {
     let texts: &[(&str, &str, &str)] = &[
         ("model", "# made by hand\n\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ""),

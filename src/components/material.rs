@@ -16,6 +16,10 @@ pub struct Material {
     pub lobe: Lobe,
     /// 0 to 1: this part of `diffuse` is reflected by the specular lobe instead.
     pub metallic: f32,
+    /// Part of the surface that has a clear coat over both lobes, 0 to 1; glass has none. What is emitted does not pass it.
+    pub coat: f32,
+    /// Roughness of the coat, 0 to 1: alpha is its square.
+    pub coat_roughness: f32,
     /// Emitted radiance, each channel at least 0.
     pub emission: Vec3,
     /// Light leaves the front side only (counter-clockwise winding seen from there).
@@ -44,6 +48,9 @@ pub enum Passage {
     SeeThrough(f32),
     /// Refracted by this index, at least 1, or reflected; the surface does nothing else.
     Glass(f32),
+    /// A pane of this index, at least 1, as one sheet: both its faces at once, so that light goes straight on or is mirrored; alike from both
+    /// sides, and nothing else. A crossing is that from face to face.
+    Pane(f32),
 }
 
 /// A surface of which no more than this is there is not seen: it changes no picture of 8 bits.
@@ -59,6 +66,8 @@ impl Material {
         specular: Vec3::ZERO,
         lobe: Lobe::Phong(0.0),
         metallic: 0.0,
+        coat: 0.0,
+        coat_roughness: 0.0,
         emission: Vec3::ZERO,
         one_sided: false,
         passage: Passage::Opaque,

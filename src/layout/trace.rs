@@ -26,8 +26,10 @@ gpu_struct! {
         pub alpha: f32,
         /// Part of all light that passes straight through, and the probability of following it: 0 (opaque) to 1.
         pub transparency: f32,
-        pub pad0: u32,
-        pub pad1: u32,
+        /// Part of the surface that has a clear coat, 0 to 1.
+        pub coat: f32,
+        /// Roughness of the coat, as `alpha`; 0 is a mirror.
+        pub coat_alpha: f32,
     }
 
     /// Corner normals of one triangle, in scene order. World space, octahedral, two snorm16 a word; 0 is none.
@@ -165,6 +167,8 @@ gpu_consts! {
     pub const MATERIAL_MIRROR: u32 = 4;
     /// Material flag: a smooth dielectric, and nothing else.
     pub const MATERIAL_DIELECTRIC: u32 = 8;
+    /// Material flag: a pane of glass as one sheet, and nothing else.
+    pub const MATERIAL_THIN: u32 = 16;
     /// No material: the environment, or unknown. A whole number that f32 holds.
     pub const NO_MATERIAL: u32 = 0x00ff_ffff;
     /// Flag of [`RadianceSample::info`].

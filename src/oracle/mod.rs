@@ -5,8 +5,12 @@
 
 pub mod bsdf;
 mod choice;
+mod coat;
 mod daylight;
+mod facing;
 mod light;
+mod lobes;
+mod pane;
 mod path;
 mod random;
 mod scene;

@@ -95,7 +95,7 @@ impl Substance {
             Lobe::Ggx(roughness) => Lobe::Ggx(times(roughness, lobe).min(1.0)),
             Lobe::Mirror => Lobe::Mirror,
         };
-        Bsdf::new(&material, self.energy)
+        self.bsdf.under(&material, self.energy)
     }
 
     /// Radiance at a point, from a side that emits.

@@ -7,7 +7,7 @@ use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::texture::MaterialMaps;
 use crate::layout::trace::{
-    MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MaterialRecord, RadianceSample, TraceParams,
+    MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MATERIAL_THIN, MaterialRecord, RadianceSample, TraceParams,
 };
 
 /// Integrators `Path` and `Bsdf`: with and without light sampling.
@@ -81,6 +81,7 @@ impl Needs<'_> {
         let flagged = |flag: u32| self.materials.iter().any(|m| m.flags & flag != 0);
         let wanted = [
             ("alpha", any(|m| m.transparency > 0.0)),
+            ("coat", any(|m| m.coat > 0.0)),
             ("cutout", mapped(|m| m.opacity != 0)),
             ("dielectric", flagged(MATERIAL_DIELECTRIC)),
             ("emission_map", mapped(|m| m.emission != 0)),
@@ -99,6 +100,7 @@ impl Needs<'_> {
             ("sobol", self.sobol),
             ("sun", self.sun),
             ("textures", mapped(MaterialMaps::changes_lobes)),
+            ("thin", flagged(MATERIAL_THIN)),
         ];
         wanted.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }

@@ -4,7 +4,8 @@ use glam::Vec3;
 
 use crate::components::{Energy, Lobe, Material, Passage};
 use crate::layout::trace::{
-    MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MATERIAL_ONE_SIDED, MaterialRecord, SMOOTHEST_ALPHA, luminance,
+    MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MATERIAL_ONE_SIDED, MATERIAL_THIN, MaterialRecord,
+    SMOOTHEST_ALPHA, luminance,
 };
 
 /// Packs a material. What it has no use for is left at its default, so that materials of equal looks are equal records.
@@ -22,6 +23,9 @@ pub fn pack(material: &Material, energy: Energy) -> MaterialRecord {
         Passage::Glass(index) => {
             MaterialRecord { tf, ni: index.max(1.0), flags: record.flags | MATERIAL_DIELECTRIC, ..record }
         }
+        Passage::Pane(index) => {
+            MaterialRecord { tf, ni: index.max(1.0), flags: record.flags | MATERIAL_THIN, ..record }
+        }
         Passage::SeeThrough(opacity) if opacity < 1.0 => {
             let record = MaterialRecord { transparency: 1.0 - opacity.clamp(0.0, 1.0), tf, ..record };
             reflect(record, material, energy)
@@ -33,6 +37,11 @@ pub fn pack(material: &Material, energy: Energy) -> MaterialRecord {
 /// The record with its lobes of reflection.
 fn reflect(mut record: MaterialRecord, material: &Material, energy: Energy) -> MaterialRecord {
     [record.kd, record.ks] = reflectances(material, energy);
+    record.coat = material.coat.clamp(0.0, 1.0) + 0.0;
+    let coat_alpha = material.coat_roughness * material.coat_roughness;
+    if record.coat > 0.0 && coat_alpha >= SMOOTHEST_ALPHA {
+        record.coat_alpha = coat_alpha.min(1.0);
+    }
     let (diffuse, specular) = (luminance(record.kd), luminance(record.ks));
     if let Lobe::Phong(exponent) = material.lobe {
         record.ns = exponent.clamp(0.0, 1e5);

@@ -103,6 +103,13 @@ pub static KEYS: &[Key] = &[
         doc: "metalness: this part of `Kd` moves to the specular lobe",
     },
     Key {
+        mtl: Some("Pc"),
+        scene: "pc",
+        value: Value::Number(UNIT, |m| &mut m.pc),
+        doc: "clear coat: a layer of index 1.5 over this part of the surface",
+    },
+    Key { mtl: Some("Pcr"), scene: "pcr", value: Value::Number(UNIT, |m| &mut m.pcr), doc: "roughness of the coat" },
+    Key {
         mtl: Some("Ke"),
         scene: "ke",
         value: Value::Colour(Colour::Radiance, |m| &mut m.ke),
@@ -119,6 +126,12 @@ pub static KEYS: &[Key] = &[
         scene: "ni",
         value: Value::Number(INDEX, |m| &mut m.ni),
         doc: "index of refraction of glass; `Ni` alone makes none",
+    },
+    Key {
+        mtl: None,
+        scene: "thin",
+        value: Value::Switch(|m| &mut m.thin),
+        doc: "glass is a pane, both faces in one sheet: nothing is refracted",
     },
     Key { mtl: Some("d"), scene: "d", value: Value::Number(UNIT, |m| &mut m.d), doc: "opacity" },
     Key {

@@ -288,6 +288,10 @@ impl Loader<'_> {
                     let message = format!("`illum {illum}` alone makes no glass of `{key}`, which is {look}");
                     let warning = Diagnostic { message, severity: Severity::Warning, ..entry.place.clone() };
                     self.diagnostics.push(warning.help("for glass, give it `ni` or `tf` too"));
+                } else if entry.edit.asks_for_pane() && !material.is_glass() {
+                    let message = format!("`thin` makes no pane of `{key}`, which is {}", material.appearance().kind);
+                    let warning = Diagnostic { message, severity: Severity::Warning, ..entry.place.clone() };
+                    self.diagnostics.push(warning.help("for glass, give it `illum: 4`, and `ni` or `tf`"));
                 }
             }
         }

@@ -55,6 +55,8 @@ pub fn kinds(materials: &[(String, MaterialRecord)]) -> Vec<&(String, MaterialRe
             m.transparency > 0.0,
             m.has_phong(),
             width(m),
+            m.coat > 0.0,
+            m.coat_alpha.max(1e-4).log10() as i32,
         )
     };
     let white = |m: &MaterialRecord| (m.kd + m.ks).max_element();

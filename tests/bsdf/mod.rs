@@ -1,10 +1,12 @@
 //! Random numbers, elementary functions, sampling and BSDFs on the GPU, against f64.
 
 mod cells;
+mod coat;
 mod draws;
 mod elementary;
 mod furnace;
 mod pack;
+mod pane;
 mod specular;
 mod tilted;
 
@@ -45,7 +47,8 @@ const NO_CONSTS: &[GpuConst] = &[];
 
 const PROBE: &str = "
 import package::gen::{BsdfProbe, SampleKey};
-import package::lib::bsdf::mixture::{BsdfSample, ShadingFrame, mixture_evaluate, mixture_sample};
+import package::lib::bsdf::frame::{BsdfSample, ShadingFrame};
+import package::lib::bsdf::mixture::{mixture_evaluate, mixture_sample};
 @if(dielectric) import package::lib::bsdf::dielectric::{fresnel, interface_of};
 import package::lib::math::{expm1_negative, log1p_negative, sin_cos_turns};
 import package::lib::rng::{sample_1d, sample_2d};

@@ -33,12 +33,23 @@ fn what_a_material_lacks_is_not_compiled() {
     assert_eq!(features(Material { lobe: Lobe::Mirror, ..grey(0.5, 0.2) }), ["mirror"]);
     assert_eq!(features(Material { passage: Passage::SeeThrough(0.5), ..grey(0.5, 0.0) }), ["alpha"]);
     assert_eq!(features(Material { passage: Passage::Glass(1.0), ..grey(0.5, 0.2) }), ["dielectric"]);
+    assert_eq!(features(Material { passage: Passage::Pane(1.5), ..grey(0.5, 0.2) }), ["thin"]);
     // No lobe, no code for it.
     assert_eq!(features(Material { lobe: Lobe::Ggx(0.5), ..grey(0.5, 0.0) }), [""; 0]);
     assert_eq!(features(Material { lobe: Lobe::Mirror, ..grey(0.5, 0.0) }), [""; 0]);
     // Nothing gets through what is opaque, whatever the filter.
     assert_eq!(pack(Material { filter: Vec3::ZERO, ..grey(0.5, 0.2) }), pack(grey(0.5, 0.2)));
     assert_eq!(pack(Material { passage: Passage::SeeThrough(1.0), ..grey(0.5, 0.2) }), pack(grey(0.5, 0.2)));
+}
+
+#[test]
+fn a_coat_is_compiled_where_there_is_one() {
+    let coated = |coat: f32, coat_roughness: f32| Material { coat, coat_roughness, ..grey(0.5, 0.0) };
+    assert_eq!(features(coated(0.5, 0.0)), ["coat"]);
+    assert_eq!(pack(coated(0.0, 0.5)), pack(grey(0.5, 0.0)), "no coat has no roughness");
+    assert_eq!(pack(Material { passage: Passage::Glass(1.5), ..coated(1.0, 0.5) }).coat, 0.0, "glass has none");
+    let alpha = |roughness: f32| pack(coated(1.0, roughness)).coat_alpha;
+    assert_eq!([alpha(0.0), alpha(0.99 * SMOOTHEST_ALPHA.sqrt()), alpha(0.5), alpha(2.0)], [0.0, 0.0, 0.25, 1.0]);
 }
 
 #[test]

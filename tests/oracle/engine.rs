@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use bevy_ecs::prelude::*;
 use glam::{DMat3, Vec3};
-use lucerna::components::{Daylight, Environment, Integrator, Lobe, Material, Render, Sampler, Transform};
+use lucerna::components::{Daylight, Environment, Integrator, Lobe, Material, Passage, Render, Sampler, Transform};
 use lucerna::oracle::Oracle;
 use lucerna::scene::generate::to_mesh;
 use lucerna::scene::{MeshEntry, SceneDescription};
@@ -47,6 +47,12 @@ fn thousand_lights(side: u32) -> SceneDescription {
         let mesh = MeshEntry { geometry, transform: Transform::default(), material: name };
         description.meshes.insert(format!("lamps/{colour}"), mesh);
     }
+    description
+}
+
+/// A scene of which everything has a coat of a roughness.
+fn coated(mut description: SceneDescription, roughness: f32) -> SceneDescription {
+    description.materials.values_mut().for_each(|material| (material.pc, material.pcr) = (1.0, roughness));
     description
 }
 
@@ -126,6 +132,31 @@ fn equals_the_engine() {
     judge("teapot under a sky", under_sky, Integrator::Path, Sampler::Sobol, 100);
     judge("a yard under a turned sky", yard(12, turned_sky()), Integrator::Path, Sampler::Sobol, 128);
     judge("a yard by day", yard(12, day()), Integrator::Path, Sampler::Sobol, 128);
+}
+
+#[test]
+fn equals_the_engine_where_everything_is_coated() {
+    for integrator in [Integrator::Path, Integrator::Bsdf] {
+        for roughness in [0.0, 0.4] {
+            let open = coated(yard(12, Environment::Constant(Vec3::new(0.4, 0.5, 0.7))), roughness);
+            judge(&format!("a yard under a coat of {roughness}"), open, integrator, Sampler::Sobol, 128);
+        }
+    }
+    judge("cornell-box under a coat", coated(shipped("cornell-box", 16), 0.4), Integrator::Path, Sampler::Sobol, 256);
+}
+
+#[test]
+fn equals_the_engine_behind_panes() {
+    let mut glazed = yard(12, Environment::Constant(Vec3::new(0.4, 0.5, 0.7)));
+    let pane = Material { passage: Passage::Pane(1.5), filter: Vec3::new(0.8, 0.9, 1.0), ..Material::default() };
+    glazed.materials.insert("pane".to_owned(), pane.into());
+    let part = crate::support::stage::quad(Vec3::new(2.0, 0.2, -2.0), 5.0 * Vec3::Y, Vec3::new(1.0, 0.0, 5.0));
+    let geometry = Arc::new(to_mesh(&part));
+    let mesh = MeshEntry { geometry, transform: Transform::default(), material: "pane".to_owned() };
+    glazed.meshes.insert("pane".to_owned(), mesh);
+    for integrator in [Integrator::Path, Integrator::Bsdf] {
+        judge("a yard behind a pane", glazed.clone(), integrator, Sampler::Sobol, 256);
+    }
 }
 
 #[test]

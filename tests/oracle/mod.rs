@@ -66,6 +66,19 @@ fn glass() -> Material {
     Material { passage: Passage::Glass(1.5), filter: Vec3::new(0.9, 1.0, 0.8), ..Material::default() }
 }
 
+fn pane() -> Material {
+    Material { passage: Passage::Pane(1.5), ..glass() }
+}
+
+fn coated() -> Material {
+    Material { diffuse: Vec3::new(0.7, 0.2, 0.1), coat: 1.0, ..Material::default() }
+}
+
+/// Under a rough coat that is not all over it.
+fn satin() -> Material {
+    Material { coat: 0.8, coat_roughness: 0.5, ..rough() }
+}
+
 fn veil() -> Material {
     let passage = Passage::SeeThrough(0.4);
     Material { diffuse: Vec3::new(0.7, 0.5, 0.3), passage, filter: Vec3::new(1.0, 0.8, 0.9), ..Material::default() }

@@ -11,11 +11,13 @@ mod visibility;
 use std::collections::BTreeSet;
 
 use glam::{DVec3, UVec2, Vec3};
+use lucerna::components::{Energy, Material, Passage};
 use lucerna::cpu::rng::Source;
 use lucerna::gpu::Runtime;
 use lucerna::layout::texture::MaterialMaps;
 use lucerna::layout::trace::{RadianceSample, SAMPLE_BAD, TraceParams};
 use lucerna::passes::trace::Needs;
+use lucerna::prepare::material;
 use lucerna::shader::Library;
 
 use crate::rooms::{Room, matte, shiny, trace_batch};
@@ -27,8 +29,11 @@ const BLOCK: u32 = 8;
 
 #[test]
 fn a_scene_can_ask_for_every_feature_that_the_kernel_names() {
+    let pack = |values: Material| material::pack(&values, Energy::Preserve);
     let mut room = Room { roulette: true, next_event: true, sampler: Source::Sobol, ..Room::glass() };
     room.material(shiny(Vec3::ZERO, Vec3::ONE, 1.0));
+    room.material(pack(Material { coat: 1.0, ..Material::BLACK }));
+    room.material(pack(Material { passage: Passage::Pane(1.5), ..Material::BLACK }));
     let library = Library::embedded();
     let named = library.link("passes/trace/path", &library.features().unwrap()).unwrap().features;
     let mut asked: BTreeSet<&str> = room.features().into_iter().collect();

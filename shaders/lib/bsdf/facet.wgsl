@@ -44,3 +44,19 @@ fn crowded(wi: vec3<f32>, n: vec3<f32>, facet: vec3<f32>) -> vec3<f32> {
     let height = sqrt(to_end * (2.0 * half_chord - to_end));
     return normalize(wi + (half_chord - to_end - y) * e + (height - z) * n);
 }
+
+// The cosine to `n` of the direction that crowded() moves to `wi`.
+@if(coat)
+fn cos_before_crowding(wi: vec3<f32>, n: vec3<f32>, facet: vec3<f32>) -> f32 {
+    let c = dot(n, facet);
+    let lean = facet - c * n;
+    let square = dot(lean, lean);
+    let z = dot(wi, n);
+    if (square < 1e-8) {
+        return z;
+    }
+    let y = dot(wi, lean) * inverseSqrt(square);
+    let half_chord = sqrt(y * y + z * z);
+    let to_end = clamp(2.0 / (1.0 + c) * (half_chord - y), 0.0, 2.0 * half_chord);
+    return sqrt(to_end * (2.0 * half_chord - to_end));
+}

@@ -1,48 +1,30 @@
 // A surface's BSDF. Beside Lambert's it has one specular lobe, of Phong (feature `phong`), GGX (`ggx`) or a mirror
-// (`mirror`), chosen by luminance; part of the light may pass straight through (`alpha`); or it is a smooth dielectric and
-// nothing else (`dielectric`). Lobes that have density are one mixture; below the surface they carry nothing. Where the shading normal is
-// not the surface's own (`normals`), what would be lost to that is kept (lib/bsdf/facet).
+// (`mirror`), chosen by luminance, and over both there may be a clear coat (`coat`); part of the light may pass straight through (`alpha`);
+// or it is a smooth dielectric and nothing else (`dielectric`), or a pane (`thin`). Lobes that have density are one mixture; below the
+// surface they carry nothing. Where the shading normal is not the surface's own (`normals`), what would be lost to that is kept
+// (lib/bsdf/facet).
 
 import package::gen::{MaterialRecord};
 @if(dielectric) import package::gen::{MATERIAL_DIELECTRIC};
 @if(ggx) import package::gen::{MATERIAL_GGX};
 @if(mirror) import package::gen::{MATERIAL_MIRROR};
+@if(thin) import package::gen::{MATERIAL_THIN};
 @if(phong) import package::lib::math::{cos_power};
-@if(dielectric) import package::lib::bsdf::dielectric::{eta_squared, fresnel, interface_of, refracted};
-@if(ggx) import package::lib::bsdf::ggx::{ggx_evaluate, ggx_sample};
+@if(coat) import package::lib::bsdf::coat::{coat_evaluate, coat_over_diffuse, coat_over_specular, coat_reflectance, coat_share};
+@if(dielectric) import package::lib::bsdf::glass::{dielectric_sample};
+@if(ggx) import package::lib::bsdf::ggx::{ggx_evaluate};
+@if(ggx || coat) import package::lib::bsdf::ggx::{ggx_sample};
 @if(normals) import package::lib::bsdf::facet::{crowded, crowding, kept_above, mirrored};
+@if(normals && coat) import package::lib::bsdf::facet::{cos_before_crowding};
+import package::lib::bsdf::frame::{BsdfSample, BsdfValue, ShadingFrame, is_above};
+@if(mirror || coat) import package::lib::bsdf::frame::{mirror_direction};
 import package::lib::colour::{luminance};
 import package::lib::bsdf::lambert::{lambert_pdf, lambert_value};
-@if(dielectric || phong || mirror) import package::lib::bsdf::mirror::{reflected};
+@if(phong) import package::lib::bsdf::mirror::{reflected};
+@if(thin) import package::lib::bsdf::pane::{pane_sample};
 @if(phong) import package::lib::bsdf::phong::{phong_pdf, phong_value};
 import package::lib::sampling::{cosine_angle, direction_around};
 @if(phong) import package::lib::sampling::{phong_angle};
-
-// How a surface is seen. All unit length; both normals are on the side of `wo`.
-struct ShadingFrame {
-    // Away from the surface, to where the ray came from.
-    wo: vec3<f32>,
-    shading: vec3<f32>,
-    geometric: vec3<f32>,
-    // 1 where the surface is seen from its back, by its winding.
-    back_face: u32,
-}
-
-struct BsdfSample {
-    // World space, unit length.
-    direction: vec3<f32>,
-    // By solid angle, of the whole mixture; 0 where the direction is the only one that its lobe has.
-    pdf: f32,
-    // f * cos / pdf, or such a lobe's value by its probability; 0 where nothing is carried.
-    weight: vec3<f32>,
-}
-
-struct BsdfValue {
-    // f * cos.
-    value: vec3<f32>,
-    // By which mixture_sample() draws this direction, by solid angle.
-    pdf: f32,
-}
 
 // Probability of sampling the specular lobe instead of the diffuse one: by luminance.
 fn share_of_specular(kd: vec3<f32>, ks: vec3<f32>) -> f32 {
@@ -50,15 +32,14 @@ fn share_of_specular(kd: vec3<f32>, ks: vec3<f32>) -> f32 {
     return select(0.0, specular / (luminance(kd) + specular), specular > 0.0);
 }
 
-fn is_above(frame: ShadingFrame, wi: vec3<f32>) -> bool {
-    return dot(wi, frame.shading) > 0.0 && dot(wi, frame.geometric) > 0.0;
-}
-
 // The mixture in a direction `wi`, but for lobes of a single direction.
 fn mixture_evaluate(m: MaterialRecord, frame: ShadingFrame, wi: vec3<f32>) -> BsdfValue {
     var carries = is_above(frame, wi);
     @if(dielectric) {
         carries = carries && (m.flags & MATERIAL_DIELECTRIC) == 0u;
+    }
+    @if(thin) {
+        carries = carries && (m.flags & MATERIAL_THIN) == 0u;
     }
     if (!carries) {
         return BsdfValue(vec3<f32>(0.0), 0.0);
@@ -69,6 +50,13 @@ fn mixture_evaluate(m: MaterialRecord, frame: ShadingFrame, wi: vec3<f32>) -> Bs
     @if(normals) {
         value *= crowding(frame.shading, frame.geometric);
         pdf *= crowding(frame.shading, frame.geometric);
+    }
+    @if(coat) {
+        var cos_base = cos_theta;
+        @if(normals) {
+            cos_base = cos_before_crowding(wi, frame.shading, frame.geometric);
+        }
+        value *= coat_over_diffuse(m, dot(frame.wo, frame.shading), cos_base);
     }
     @if(ggx || phong || mirror) {
         pdf *= 1.0 - m.specular_probability;
@@ -84,6 +72,12 @@ fn mixture_evaluate(m: MaterialRecord, frame: ShadingFrame, wi: vec3<f32>) -> Bs
         }
         value += lobe.value;
         pdf += m.specular_probability * lobe.pdf;
+    }
+    @if(coat) {
+        let share = coat_share(m, dot(frame.wo, frame.shading));
+        let coat = coat_lobe(m, frame, wi);
+        value += coat.value;
+        pdf = (1.0 - share) * pdf + share * coat.pdf;
     }
     @if(alpha) {
         value *= 1.0 - m.transparency;
@@ -108,7 +102,25 @@ fn lobe_evaluate(m: MaterialRecord, frame: ShadingFrame, wi: vec3<f32>) -> BsdfV
             lobe = BsdfValue(m.ks * at.value, at.pdf);
         }
     }
+    @if(coat) {
+        lobe.value *= coat_over_specular(m, dot(frame.wo, frame.shading), dot(wi, frame.shading));
+    }
     return lobe;
+}
+
+// The coat's lobe by itself, with what the facet mirrors.
+@if(coat)
+fn coat_lobe(m: MaterialRecord, frame: ShadingFrame, wi: vec3<f32>) -> BsdfValue {
+    var at = coat_evaluate(m, frame.shading, frame.wo, wi);
+    @if(normals) {
+        let below = mirrored(wi, frame.geometric);
+        if (dot(below, frame.shading) > 0.0) {
+            let other = coat_evaluate(m, frame.shading, frame.wo, below);
+            at.value += other.value;
+            at.pdf += other.pdf;
+        }
+    }
+    return BsdfValue(vec3<f32>(at.value), at.pdf);
 }
 
 // Whether the specular lobe, if there is one, is Phong's.
@@ -139,17 +151,53 @@ fn mixture_sample(m: MaterialRecord, frame: ShadingFrame, pick: f32, u: vec2<f32
             return dielectric_sample(m, frame, chosen);
         }
     }
-    @if(mirror) {
-        if ((m.flags & MATERIAL_MIRROR) != 0u && chosen < m.specular_probability) {
-            let wi = mirror_direction(frame);
-            return BsdfSample(wi, 0.0, select(vec3<f32>(0.0), m.ks / m.specular_probability, is_above(frame, wi)));
+    @if(thin) {
+        if ((m.flags & MATERIAL_THIN) != 0u) {
+            return pane_sample(m, frame, chosen);
         }
     }
-    return density_sample(m, frame, chosen, u);
+    @if(coat) {
+        return coated_sample(m, frame, chosen, u);
+    }
+    @else {
+        @if(mirror) {
+            if ((m.flags & MATERIAL_MIRROR) != 0u && chosen < m.specular_probability) {
+                let wi = mirror_direction(frame);
+                return BsdfSample(wi, 0.0, select(vec3<f32>(0.0), m.ks / m.specular_probability, is_above(frame, wi)));
+            }
+        }
+        return density_sample(m, frame, chosen, u);
+    }
 }
 
-// A direction of the lobes that have density.
-fn density_sample(m: MaterialRecord, frame: ShadingFrame, pick: f32, u: vec2<f32>) -> BsdfSample {
+// The same of a surface that may have a coat: that is chosen first.
+@if(coat)
+fn coated_sample(m: MaterialRecord, frame: ShadingFrame, pick: f32, u: vec2<f32>) -> BsdfSample {
+    let cos_o = dot(frame.wo, frame.shading);
+    let share = coat_share(m, cos_o);
+    let coated = pick < share;
+    let below = select(min((pick - share) / (1.0 - share), 0x1.fffffep-1), 1.0, coated);
+    var is_mirror = coated && m.coat_alpha == 0.0;
+    // Of a mirror, by the probability of choosing it.
+    var part = vec3<f32>(0.0);
+    if (is_mirror) {
+        part = vec3<f32>(coat_reflectance(m, cos_o) / share);
+    }
+    @if(mirror) {
+        if ((m.flags & MATERIAL_MIRROR) != 0u && below < m.specular_probability) {
+            is_mirror = true;
+            part = m.ks * (coat_over_specular(m, cos_o, cos_o) / ((1.0 - share) * m.specular_probability));
+        }
+    }
+    if (is_mirror) {
+        let wi = mirror_direction(frame);
+        return BsdfSample(wi, 0.0, select(vec3<f32>(0.0), part, is_above(frame, wi)));
+    }
+    return density_sample(m, frame, below, u, coated);
+}
+
+// A direction of the lobes that have density; `coated`: of the coat, and `pick` is 1.
+fn density_sample(m: MaterialRecord, frame: ShadingFrame, pick: f32, u: vec2<f32>, @if(coat) coated: bool) -> BsdfSample {
     var wi = direction_around(frame.shading, cosine_angle(u.x), u.y);
     @if(normals) {
         wi = crowded(wi, frame.shading, frame.geometric);
@@ -159,9 +207,26 @@ fn density_sample(m: MaterialRecord, frame: ShadingFrame, pick: f32, u: vec2<f32
             wi = direction_around(reflected(frame.wo, frame.shading), phong_angle(m.ns, u.x), u.y);
         }
     }
-    @if(ggx) {
+    @if(ggx && !coat) {
         if (pick < m.specular_probability && (m.flags & MATERIAL_GGX) != 0u) {
             wi = ggx_sample(m.alpha, frame.shading, frame.wo, u);
+        }
+    }
+    @if(coat) {
+        // Facets of the coat, of the base, or none.
+        var alpha = select(0.0, m.coat_alpha, coated);
+        @if(ggx) {
+            if (pick < m.specular_probability && (m.flags & MATERIAL_GGX) != 0u) {
+                alpha = m.alpha;
+            }
+        }
+        if (alpha > 0.0) {
+            wi = ggx_sample(alpha, frame.shading, frame.wo, u);
+        }
+    }
+    @if(normals && coat) {
+        if (coated && dot(wi, frame.shading) > 0.0) {
+            wi = kept_above(wi, frame.geometric);
         }
     }
     @if(normals && (ggx || phong)) {
@@ -173,46 +238,9 @@ fn density_sample(m: MaterialRecord, frame: ShadingFrame, pick: f32, u: vec2<f32
     let at = mixture_evaluate(m, frame, wi);
     // A pdf of 0 is left to a direction below the surface: it carries nothing.
     var weight = select(vec3<f32>(0.0), at.value / at.pdf, at.pdf > 0.0);
-    @if(!(ggx || phong || mirror)) {
+    @if(!(ggx || phong || mirror || coat)) {
         // Cosine sampling of a Lambert surface: f cos / pdf is kd, without a rounding.
         weight = select(vec3<f32>(0.0), m.kd, at.pdf > 0.0);
     }
     return BsdfSample(wi, at.pdf, weight);
-}
-
-// Where a mirror reflects to.
-@if(dielectric || mirror)
-fn mirror_direction(frame: ShadingFrame) -> vec3<f32> {
-    var wi = reflected(frame.wo, frame.shading);
-    @if(normals) {
-        wi = kept_above(wi, frame.geometric);
-    }
-    return wi;
-}
-
-// Reflected or refracted by Fresnel's probability, which leaves a weight of 1, but for the filter, and for radiance being
-// squeezed into or out of a narrower cone.
-@if(dielectric)
-fn dielectric_sample(m: MaterialRecord, seen: ShadingFrame, pick: f32) -> BsdfSample {
-    var frame = seen;
-    let at = interface_of(m.ni, frame.back_face != 0u);
-    var split = fresnel(at, dot(frame.wo, frame.shading));
-    @if(normals) {
-        // Total reflection about a smooth normal can catch light for ever. Where the surface itself would let some out, it does.
-        let own = fresnel(at, dot(frame.wo, frame.geometric));
-        if (split.cos_transmitted == 0.0 && own.cos_transmitted > 0.0) {
-            split = own;
-            frame.shading = frame.geometric;
-        }
-    }
-    if (pick < split.reflectance) {
-        let wi = mirror_direction(frame);
-        return BsdfSample(wi, 0.0, vec3<f32>(select(0.0, 1.0, is_above(frame, wi))));
-    }
-    var wi = refracted(at, frame.wo, frame.shading, split.cos_transmitted);
-    @if(normals) {
-        wi = -kept_above(-wi, frame.geometric);
-    }
-    let beyond = dot(wi, frame.shading) < 0.0 && dot(wi, frame.geometric) < 0.0;
-    return BsdfSample(wi, 0.0, select(vec3<f32>(0.0), eta_squared(at) * m.tf, beyond));
 }

@@ -2,7 +2,8 @@
 // returns for directions that the linter has chosen.
 
 import package::gen::{LintAnswer, LintCase, LintParams, SampleKey};
-import package::lib::bsdf::mixture::{BsdfSample, ShadingFrame, mixture_evaluate, mixture_sample};
+import package::lib::bsdf::frame::{BsdfSample, ShadingFrame};
+import package::lib::bsdf::mixture::{mixture_evaluate, mixture_sample};
 import package::lib::rng::{sample_1d, sample_2d};
 
 @group(0) @binding(0) var<storage, read> params: LintParams;

@@ -2,7 +2,7 @@
 // Shader and Texture Level of Detail Using Ray Cones, JCGT 10(1), 2021), widened by curvature and by what the surface spreads.
 
 import package::gen::{CornerUvs, Hit, MaterialMaps, PathState, POINT, TEXTURE_DIMENSIONS, TEXTURE_DIMENSIONS_PER_BOUNCE, Triangle};
-import package::lib::bsdf::mixture::{BsdfSample};
+import package::lib::bsdf::frame::{BsdfSample};
 import package::lib::math::{largest_of};
 import package::lib::rng::{sample_4d};
 import package::lib::texture::{TexturePoint};

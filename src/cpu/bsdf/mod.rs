@@ -1,16 +1,21 @@
 //! BSDFs in f64: the oracle of `lib/bsdf` and `lib/sampling`. Directions are unit vectors that point away from the surface.
 
+pub mod coat;
 pub mod dielectric;
 mod directions;
 pub mod ggx;
+pub mod pane;
 
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
+use self::coat::Coat;
 use self::dielectric::Interface;
 pub use self::directions::{cos_power, mirror, sample_cosine, sample_phong};
-use crate::layout::trace::{MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MaterialRecord};
+use crate::layout::trace::{
+    MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MATERIAL_THIN, MaterialRecord, luminance,
+};
 
 /// A material's numbers in f64.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,12 +26,16 @@ pub struct Reflection {
     pub specular: Specular,
     /// Probability of sampling the specular lobe instead of the diffuse one.
     pub specular_probability: f64,
+    /// Over both.
+    pub coat: Coat,
     /// Part of the light that passes straight through, and the probability of following it.
     pub transparency: f64,
     /// What light that passes is multiplied by.
     pub tf: DVec3,
     /// Index of a smooth dielectric, which is nothing else.
     pub dielectric: Option<f64>,
+    /// Index of a pane as one sheet, which is nothing else.
+    pub pane: Option<f64>,
 }
 
 /// A specular lobe.
@@ -71,6 +80,7 @@ pub struct BsdfSample {
 impl From<&MaterialRecord> for Reflection {
     fn from(record: &MaterialRecord) -> Self {
         let MaterialRecord { kd, ks, ns, specular_probability, flags, tf, ni, alpha, transparency, .. } = *record;
+        let MaterialRecord { coat, coat_alpha, .. } = *record;
         let specular = match () {
             () if flags & MATERIAL_GGX != 0 => Specular::Ggx(f64::from(alpha)),
             () if flags & MATERIAL_MIRROR != 0 => Specular::Mirror,
@@ -81,9 +91,11 @@ impl From<&MaterialRecord> for Reflection {
             ks: ks.as_dvec3(),
             specular,
             specular_probability: f64::from(specular_probability),
+            coat: Coat { amount: coat.into(), alpha: (coat_alpha > 0.0).then(|| coat_alpha.into()) },
             transparency: f64::from(transparency),
             tf: tf.as_dvec3(),
             dielectric: (flags & MATERIAL_DIELECTRIC != 0).then_some(f64::from(ni)),
+            pane: (flags & MATERIAL_THIN != 0).then_some(f64::from(ni)),
         }
     }
 }
@@ -125,29 +137,52 @@ impl ShadingFrame {
         let y = end + self.visible_part() * (y - end);
         x * e.cross(self.shading) + y * e + (1.0 - x * x - y * y).max(0.0).sqrt() * self.shading
     }
+
+    /// The cosine to the shading normal of the direction that is moved to this one.
+    fn cos_before_crowding(&self, wi: DVec3) -> f64 {
+        let lean = self.geometric.reject_from_normalized(self.shading);
+        if lean.length() < 1e-6 {
+            return wi.dot(self.shading);
+        }
+        let e = lean.normalize();
+        let (x, y) = (wi.dot(e.cross(self.shading)), wi.dot(e));
+        let end = (1.0 - x * x).max(0.0).sqrt();
+        let y = end - (end - y) / self.visible_part();
+        (1.0 - x * x - y * y).max(0.0).sqrt()
+    }
 }
 
 impl Reflection {
     /// f times the cosine of `wi` about the shading normal.
     pub fn evaluate(&self, frame: &ShadingFrame, wi: DVec3) -> BsdfValue {
         let (mut value, mut pdf) = (DVec3::ZERO, 0.0);
-        if self.dielectric.is_some() {
+        if self.dielectric.or(self.pane).is_some() {
             return BsdfValue { value, pdf };
         }
-        let cos_theta = wi.dot(frame.shading);
+        let (cos_o, cos_theta) = (frame.wo.dot(frame.shading), wi.dot(frame.shading));
+        let coated = self.coated(frame);
+        let specular_probability = (1.0 - coated) * self.specular_probability;
         if frame.is_above(wi) {
             let diffuse = cos_theta / PI / frame.visible_part();
-            (value, pdf) = (self.kd * diffuse, (1.0 - self.specular_probability) * diffuse);
+            let left = self.coat.over_diffuse(cos_o, frame.cos_before_crowding(wi));
+            (value, pdf) = (self.kd * diffuse * left, (1.0 - coated - specular_probability) * diffuse);
             for from in [wi, frame.mirrored(wi)].into_iter().filter(|from| from.dot(frame.shading) > 0.0) {
                 let (specular, specular_pdf) = self.specular(frame, from);
-                value += self.ks * specular;
-                pdf += self.specular_probability * specular_pdf;
+                let (coat, coat_pdf) = self.coat.lobe(frame.shading, frame.wo, from);
+                value += self.ks * specular * self.coat.over_specular(cos_o, from.dot(frame.shading)) + coat;
+                pdf += specular_probability * specular_pdf + coated * coat_pdf;
             }
         } else if cos_theta <= 0.0 {
-            pdf = self.specular_probability * self.specular(frame, wi).1;
+            pdf = specular_probability * self.specular(frame, wi).1
+                + coated * self.coat.lobe(frame.shading, frame.wo, wi).1;
         }
         let opacity = 1.0 - self.transparency;
         BsdfValue { value: opacity * value, pdf: opacity * pdf }
+    }
+
+    /// Probability of sampling the coat instead of what is below it.
+    fn coated(&self, frame: &ShadingFrame) -> f64 {
+        self.coat.share(frame.wo.dot(frame.shading), f64::from(luminance((self.kd + self.ks).as_vec3())))
     }
 
     /// f cos and pdf of the specular lobe of reflectance 1 about the shading normal, before the true surface mirrors what is below it.
@@ -173,6 +208,24 @@ impl Reflection {
         if let Some(ni) = self.dielectric {
             return self.sample_dielectric(&Interface::new(ni, frame.back_face), frame, pick);
         }
+        if let Some(ni) = self.pane {
+            let [reflected, passed] = pane::split(ni, self.tf, wo.dot(n));
+            let weights = [reflected, passed].map(|part| f64::from(luminance(part.as_vec3())));
+            let share = weights[0] / weights.iter().sum::<f64>().max(f64::MIN_POSITIVE);
+            return match pick < share {
+                true => BsdfSample { direction: frame.kept_above(mirror(n, wo)), pdf: 0.0, weight: reflected / share },
+                false => BsdfSample { direction: -wo, pdf: 0.0, weight: passed / (1.0 - share) },
+            };
+        }
+        let (coated, cos_o) = (self.coated(frame), wo.dot(n));
+        if pick < coated {
+            let Some(alpha) = self.coat.alpha else {
+                let weight = DVec3::splat(self.coat.reflectance(cos_o) / coated);
+                return BsdfSample { direction: frame.kept_above(mirror(n, wo)), pdf: 0.0, weight };
+            };
+            return self.sampled(frame, ggx::sample(alpha, n, wo, u));
+        }
+        let pick = (pick - coated) / (1.0 - coated);
         let specular = pick < self.specular_probability;
         let lobe = match self.specular {
             Specular::Phong(ns) if specular => sample_phong(mirror(n, wo), ns, u),
@@ -180,11 +233,18 @@ impl Reflection {
             Specular::Mirror if specular => mirror(n, wo),
             _ => frame.crowded(sample_cosine(n, u)),
         };
-        // Below the shading normal a lobe carries nothing, wherever the surface is.
-        let direction = if lobe.dot(n) > 0.0 { frame.kept_above(lobe) } else { lobe };
         if specular && self.specular == Specular::Mirror {
-            return BsdfSample { direction, pdf: 0.0, weight: self.ks / self.specular_probability };
+            let left = self.coat.over_specular(cos_o, cos_o) / (1.0 - coated);
+            let weight = self.ks * left / self.specular_probability;
+            return BsdfSample { direction: frame.kept_above(lobe), pdf: 0.0, weight };
         }
+        self.sampled(frame, lobe)
+    }
+
+    /// A direction that a lobe with density has drawn.
+    fn sampled(&self, frame: &ShadingFrame, lobe: DVec3) -> BsdfSample {
+        // Below the shading normal a lobe carries nothing, wherever the surface is.
+        let direction = if lobe.dot(frame.shading) > 0.0 { frame.kept_above(lobe) } else { lobe };
         let BsdfValue { value, pdf } = self.evaluate(frame, direction);
         BsdfSample { direction, pdf, weight: if pdf > 0.0 { value / pdf } else { DVec3::ZERO } }
     }

@@ -21,7 +21,7 @@ pub fn pack_maps(
         maps.coverage = opacity.clamp(0.0, 1.0);
         record.transparency = 0.0;
     }
-    if matches!(material.passage, Passage::Glass(_)) {
+    if matches!(material.passage, Passage::Glass(_) | Passage::Pane(_)) {
         // Glass has no colours, and one lobe.
         let none = MaterialMaps { diffuse: 0, specular: 0, lobe: 0, metallic: 0, ..maps };
         return (record, none);

@@ -33,6 +33,11 @@ impl MaterialEdit {
         self.gives("illum") && self.numbers.asks_for_glass()
     }
 
+    /// Whether it says that glass is thin.
+    pub fn asks_for_pane(&self) -> bool {
+        self.gives("thin") && self.numbers.thin
+    }
+
     /// Finds the files of its maps, which are relative to the file that names them.
     pub fn find_maps(&mut self, scene: &Path) -> Vec<FoundMap> {
         self.maps.iter_mut().filter_map(|(_, edit)| edit.find(scene)).collect()

@@ -9,7 +9,7 @@ use crate::components::{Lobe, Passage};
 /// A material in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Appearance {
-    /// `diffuse`, `glossy`, `metal`, `mirror`, `glass`, `see-through`, `light`, `black` or `invisible`.
+    /// `diffuse`, `glossy`, `metal`, `mirror`, `coated`, `glass`, `pane`, `see-through`, `light`, `black` or `invisible`.
     pub kind: &'static str,
     /// The numbers that make it so.
     pub reason: String,
@@ -24,6 +24,7 @@ impl MtlMaterial {
         } else {
             match passage {
                 Passage::Glass(_) => ("glass", self.why_glass()),
+                Passage::Pane(_) => ("pane", format!("{}, thin", self.why_glass())),
                 Passage::SeeThrough(_) if self.material().is_invisible() => {
                     ("invisible", format!("d {}", short(self.d)))
                 }
@@ -60,8 +61,22 @@ impl MtlMaterial {
         format!("d {}{}", short(self.d), times(&self.maps.d))
     }
 
-    /// The kind of its reflection, and what makes it that.
+    /// The kind of its reflection, and what makes it that. A metal or a mirror is one under a coat too.
     fn reflects(&self) -> (&'static str, String) {
+        let (kind, reason) = self.base();
+        match self.pc > 0.0 {
+            true if matches!(kind, "metal" | "mirror") => (kind, format!("{reason}, {}", self.coat())),
+            true => ("coated", format!("{reason}, {}", self.coat())),
+            false => (kind, reason),
+        }
+    }
+
+    fn coat(&self) -> String {
+        format!("Pc {}, Pcr {}", short(self.pc), short(self.pcr))
+    }
+
+    /// The same of what is below a coat.
+    fn base(&self) -> (&'static str, String) {
         let kd = format!("Kd {}{}", triple(self.kd), times(&self.maps.kd));
         let metallic = self.pm > 0.0 && self.kd != Vec3::ZERO;
         if self.ks == Vec3::ZERO && !metallic {

@@ -5,7 +5,7 @@
 //!
 //! | `illum` | and | is |
 //! |---|---|---|
-//! | 4, 6, 7, 9 | `Ni` other than 1, or a `Tf` that is neither 1 1 1 nor 0 0 0 | glass |
+//! | 4, 6, 7, 9 | `Ni` other than 1, or a `Tf` that is neither 1 1 1 nor 0 0 0 | glass; a pane where a scene file says `thin` |
 //! | any other, or without that | `d` below 1 | see-through |
 //! | any other, or without that | `d` 1 | opaque |
 
@@ -26,10 +26,15 @@ pub struct MtlMaterial {
     /// The specular lobe is GGX; without it, it is Phong's, or what `illum` says.
     pub pr: Option<f32>,
     pub pm: f32,
+    /// Amount of the clear coat, and its roughness.
+    pub pc: f32,
+    pub pcr: f32,
     pub ke: Vec3,
     /// Off by default: winding in OBJ files is unreliable.
     pub one_sided: bool,
     pub ni: f32,
+    /// Glass is a pane as one sheet.
+    pub thin: bool,
     pub d: f32,
     pub tf: Vec3,
     /// 0 to 10.
@@ -63,6 +68,8 @@ impl MtlMaterial {
             specular: self.ks,
             lobe: self.lobe(),
             metallic: self.pm,
+            coat: self.pc,
+            coat_roughness: self.pcr,
             emission: self.ke,
             one_sided: self.one_sided,
             passage: self.passage(),
@@ -73,7 +80,7 @@ impl MtlMaterial {
     /// How light gets through.
     pub fn passage(&self) -> Passage {
         if self.asks_for_glass() && (self.bends() || self.filters()) {
-            Passage::Glass(self.ni)
+            if self.thin { Passage::Pane(self.ni) } else { Passage::Glass(self.ni) }
         } else if self.d < 1.0 {
             Passage::SeeThrough(self.d)
         } else {
@@ -82,7 +89,7 @@ impl MtlMaterial {
     }
 
     pub fn is_glass(&self) -> bool {
-        matches!(self.passage(), Passage::Glass(_))
+        matches!(self.passage(), Passage::Glass(_) | Passage::Pane(_))
     }
 
     /// The specular lobe, where `ks` or `pm` gives the surface one.
@@ -113,16 +120,20 @@ impl MtlMaterial {
 impl From<Material> for MtlMaterial {
     /// Numbers that come to this material. Glass that is not to be told from nothing comes to nothing: `d` 0.
     fn from(material: Material) -> Self {
-        let Material { diffuse, specular, lobe, metallic, emission, one_sided, passage, filter } = material;
+        let Material { diffuse, specular, lobe, metallic, coat, coat_roughness, emission, one_sided, passage, filter } =
+            material;
         let mut numbers = Self {
             kd: diffuse,
             ks: specular,
             ns: 1.0,
             pr: None,
             pm: metallic,
+            pc: coat,
+            pcr: coat_roughness,
             ke: emission,
             one_sided,
             ni: 1.0,
+            thin: matches!(passage, Passage::Pane(_)),
             d: 1.0,
             tf: filter,
             illum: PLAIN,
@@ -136,7 +147,7 @@ impl From<Material> for MtlMaterial {
         match passage {
             Passage::Opaque => {}
             Passage::SeeThrough(opacity) => numbers.d = opacity,
-            Passage::Glass(index) => {
+            Passage::Glass(index) | Passage::Pane(index) => {
                 let glass = Self { illum: GLASS, ni: index, ..numbers.clone() };
                 numbers = if glass.is_glass() { glass } else { Self { d: 0.0, ..numbers } };
             }

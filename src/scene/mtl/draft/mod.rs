@@ -84,10 +84,10 @@ impl Draft {
                 line.warning(key, format!("`{key}` is of sheen, which is not rendered: it is left out"))
             }),
             // Of nothing.
-            "ps" | "pc" | "aniso" if words(rest).all(|word| text::number(word) == Some(0.0)) => {}
-            // The shape of what `Pc` and `aniso` ask for.
-            "pcr" | "anisor" => {}
-            "ps" | "pc" | "aniso" | "decal" | "refl" | "map_refl" | "map_aat" => {
+            "ps" | "aniso" if words(rest).all(|word| text::number(word) == Some(0.0)) => {}
+            // The shape of what `aniso` asks for.
+            "anisor" => {}
+            "ps" | "aniso" | "map_pc" | "map_pcr" | "decal" | "refl" | "map_refl" | "map_aat" => {
                 tally.push("statements not honoured yet", || {
                     line.warning(key, format!("`{key}` is not honoured yet: it is left out"))
                 });

@@ -74,8 +74,10 @@ impl Draft {
         let ks = maps.ks.is_some() || self.is_lit("ks", self.given.ks);
         let illum = self.given.illum;
         let message = match illum {
-            _ if glass && (kd || ks) => {
-                format!("is glass (illum {illum}), which has no colour of its own: `Kd` and `Ks` are not rendered")
+            _ if glass && (kd || ks || self.given.pc > 0.0) => {
+                format!(
+                    "is glass (illum {illum}), which has no colour of its own and no coat: `Kd`, `Ks` and `Pc` are not rendered"
+                )
             }
             10 => "asks for an invisible shadow catcher (illum 10): it is rendered as a surface for now".to_owned(),
             0 | 1 if ks => format!("has `illum {illum}`, which is without highlights, and yet `Ks`: `Ks` is rendered"),
