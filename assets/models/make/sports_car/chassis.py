@@ -11,7 +11,7 @@ from shell import both, pair, planar
 def wells():
     out = []
     for k, (z, y, r) in enumerate(ARCHES):
-        a = np.radians(np.linspace(-42, 222, 34))
+        a = np.radians(np.linspace(-33, 213, 32))
         ring = [(y + (r + .003) * np.sin(t), z + (r + .003) * np.cos(t)) for t in a]
         points, faces = [], []
         for x in (.945, .58):
@@ -30,12 +30,12 @@ def wells():
 
 
 def floor_width(z):
-    w = np.interp(z, [-2.05, -1.78, -1.74, -.92, -.88, .90, .94, 1.72, 1.74, 1.95, 2.2, 2.30], [.60, .80, .56, .56, .90, .90, .56, .56, .86, .80, .45, .15])
+    w = np.interp(z, [-1.60, -.92, -.88, .90, .94, 1.72, 1.74, 1.95, 2.2, 2.30], [.56, .56, .90, .90, .56, .56, .86, .80, .45, .15])
     return w
 
 
 def floor():
-    z = np.array([-2.05, -1.78, -1.74, -.92, -.88, 0, .90, .94, 1.72, 1.74, 1.95, 2.2, 2.30])
+    z = np.array([-1.60, -.92, -.88, 0, .90, .94, 1.72, 1.74, 1.95, 2.2, 2.30])
     w = floor_width(z)
     outline = [(a, b) for a, b in zip(w, z)] + [(-a, b) for a, b in zip(w[::-1], z[::-1])]
     return [plate("floor", "underbody", outline, .112, .122)]
@@ -68,19 +68,18 @@ def splitter(skin):
     half = np.concatenate([outer, inner[::-1]])
     outline = np.concatenate([outer, inner[::-1], (inner * (-1, 1))[1:], (outer * (-1, 1))[::-1][:-1]])
     blade = plate("splitter", "carbon", outline, .100, .114)
-    return [planar(blade, (0, 2), 6)]
+    return [planar(blade, (0, 2), 30)]
 
 
 def diffuser():
     """A ramp with fins between the lower corners of the tail."""
     parts = []
     ramp = plate("ramp", "carbon", [(.135, -1.55), (.30, -2.135), (.315, -2.13), (.15, -1.54)], -.58, .58, axes=(1, 2), up=0)
-    parts.append(planar(ramp, (0, 2), 6))
+    parts.append(planar(ramp, (0, 2), 30))
     for x in (-.45, -.27, -.09, .09, .27, .45):
-        fin = plate("fin", "trim_black", [(.115, -1.62), (.125, -2.10), (.18, -2.19), (.292, -2.13), (.15, -1.60)], x - .005, x + .005, axes=(1, 2), up=0)
+        fin = plate("fin", "trim_black", [(.120, -1.66), (.140, -2.06), (.185, -2.15), (.235, -2.165), (.292, -2.13), (.15, -1.60)], x - .005, x + .005, axes=(1, 2), up=0)
         parts.append(fin)
-    bar = box("bar", "gloss_black", (0, .352, -2.115), (1.02, .075, .03), .012)
-    # The face above the ramp, behind the exhausts.
+    # Above the ramp is a face, behind the exhausts.
     fins = joined("diffuser_fins", parts[1:])
     wall = plate("diffuser_wall", "trim_black", [(.29, -2.09), (.43, -2.06), (.43, -2.05), (.29, -2.08)], -.66, .66, axes=(1, 2), up=0)
     return [parts[0], fins, wall]
@@ -101,17 +100,17 @@ def exhausts():
 def mirrors():
     """A shell on two thin legs, with a pane."""
     rings = []
-    for t, (w, h) in zip(np.linspace(0, 1, 5), ((.10, .048), (.112, .058), (.108, .056), (.085, .045), (.03, .018))):
+    for t, (w, h) in zip((0, .25, .6, .85, 1), ((.108, .050), (.116, .058), (.100, .048), (.066, .030), (.02, .010))):
         turn = np.arange(12) * 2 * np.pi / 12
         c, s = np.cos(turn), np.sin(turn)
-        u = np.sign(c) * np.abs(c) ** .75 * w
-        v = np.sign(s) * np.abs(s) ** .75 * h
-        rings.append(np.stack([.99 + u - .02 * t, .915 + v + .12 * 0 * u, .485 + .105 * t + 0 * u], 1))
+        u = np.sign(c) * np.abs(c) ** .6 * w
+        v = np.sign(s) * np.abs(s) ** .6 * h * (1 + .16 * c)
+        rings.append(np.stack([.985 + u - .035 * t, .912 + v - .012 * t, .485 + .125 * t - .10 * (u + .1) * (t < .1) * 0], 1))
     rings[0] = rings[0] + (0, 0, .002)
     shell = soft_loft("mirror", "paint", rings, 2)
     turn = np.arange(24) * 2 * np.pi / 24
     c, s = np.cos(turn), np.sin(turn)
-    glass = np.stack([.99 + np.sign(c) * np.abs(c) ** .7 * .088, .915 + np.sign(s) * np.abs(s) ** .7 * .043, np.full(24, .4795)], 1)
+    glass = np.stack([.985 + np.sign(c) * np.abs(c) ** .6 * .090, .912 + np.sign(s) * np.abs(s) ** .6 * .041 * (1 + .16 * c), np.full(24, .4795)], 1)
     pane = smooth("mirror_pane", "mirror", glass, [list(range(24))[::-1]], 30)
     edge = sweep("mirror_edge", "gloss_black", np.stack([glass[:, 0], glass[:, 1], glass[:, 2] + .004], 1), disk(.0055, 8), 60, closed=True)
     legs = [tube("leg", "gloss_black", [(.84, .79, .60), (.88, .815, .585), (.93, .872, .555), (.955, .90, .54)], .009, 10),

@@ -21,7 +21,7 @@ import textures
 import wheels
 
 # Textured materials whose parts have no coordinates of their own get them by the axis a face looks along.
-BOXED = {"leather": 5, "leather_dark": 5, "carbon": 6}
+BOXED = {"leather": 5, "carbon": 30}
 MODELS = Path(__file__).resolve().parent.parent.parent
 
 

@@ -6,7 +6,7 @@ from cage import FRONT_AXLE, REAR_AXLE
 from fields import FRONT, SIDE, TOP, Outline, circle, curve, mirrored
 
 ARCHES = ((FRONT_AXLE, .335, .372), (REAR_AXLE, .348, .392))
-GAP = .0048
+GAP = .006
 
 side = lambda t, l: t[0] == "side"
 flank = lambda t, l: t[0] == "side" or (t[0] == "top" and t[2] >= 3)

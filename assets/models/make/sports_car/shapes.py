@@ -90,7 +90,7 @@ def tube(name, material, path, radius, steps=12, closed=False):
     return sweep(name, material, path, disk(radius, steps), 50.0, closed)
 
 
-def box(name, material, centre, size, radius=.005, steps=2, turn=None):
+def box(name, material, centre, size, radius=.005, steps=1, turn=None):
     """A box with rounded edges."""
     half = np.asarray(size, float) / 2
     radius = min(radius, half.min() * .95)

@@ -33,7 +33,7 @@ def panels(skin):
     out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-.0115)))
     out += pair(skin.part("handle", "paint", {"handle"}, offset=.004, fold=.012, lip=.003))
     out.append(both(skin.part("skirts", "carbon", {"skirt"}, fold=.01)))
-    planar(out[-1], (2, 1), 6)
+    planar(out[-1], (2, 1), 30)
     slats = []
     for k in range(LOUVRES):
         start = -1.045 - k * .096
@@ -81,7 +81,7 @@ def openings(skin):
         for part in (mesh, wall, dark):
             out += [both(part)] if name == "centre_intake" else pair(part)
     panel = {"tail_panel", "tail_lamp"}
-    out.append(box("tail_back", "gap_black", (0, .71, -2.0), (1.55, .20, .02), .005, 1))
+    out.append(box("tail_back", "gap_black", (0, .71, -1.985), (1.34, .20, .02), .005, 1))
     out.append(both(skin.part("tail_walls", "gloss_black", panel, fold=.05, lip=.003, walls=True)))
     out += pair(skin.part("tail_lens", "tail_lens", {"tail_lamp"}, offset=-.004, fold=.02, lip=.003))
     out += pair(skin.part("tail_glow", "tail_light", {"tail_lamp"}, offset=-.012))

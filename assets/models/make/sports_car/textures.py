@@ -138,8 +138,7 @@ def car(folder):
     hole = np.minimum(a, b) < .29
     image(np.where(hole, 0, 255)).resize((128, 128), Image.LANCZOS).save(folder / "mesh.png", optimize=True)
     grain = noise(512, ((40, 1), (90, 1), (170, .8)), 30)
-    image(tinted(grain, (26, 26, 28), (46, 46, 48))).resize((256, 256)).save(folder / "leather-dark.png", optimize=True)
-    image(tinted(grain, (172, 84, 26), (206, 112, 44))).resize((256, 256)).save(folder / "leather.png", optimize=True)
+    image(tinted(grain, (206, 150, 96), (236, 184, 128))).resize((256, 256)).save(folder / "leather.png", optimize=True)
     disc(folder)
     signs(folder)
 
