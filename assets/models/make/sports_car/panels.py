@@ -6,7 +6,7 @@ from cage import FRONT_AXLE, REAR_AXLE
 from fields import FRONT, SIDE, TOP, Outline, circle, curve, mirrored
 
 ARCHES = ((FRONT_AXLE, .335, .372), (REAR_AXLE, .348, .392))
-GAP = .006
+GAP = .0075
 
 side = lambda t, l: t[0] == "side"
 flank = lambda t, l: t[0] == "side" or (t[0] == "top" and t[2] >= 3)
@@ -98,11 +98,16 @@ def cut(skin):
     for k in range(LOUVRES):
         skin.region("slat%d" % k, louvre(k), pick(deck, "lid"))
     skin.panel("flap", circle((-1.24, .800), .066), lambda t, l: t[0] == "side", GAP * .8)
-    skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "body"))
+    skin.region("intake_frame", Outline(INTAKE, SIDE, .03), pick(side, "body"))
+    skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)
     skin.panel("handle", Outline(HANDLE, SIDE, .012), side, .004, ("door",))
     skin.region("skirt", lambda p: p[:, 1] - (.178 + .012 * np.clip(-p[:, 2], 0, 1)), lambda t, l: side(t, l) and l in ("body", "door") and 3 < t[1] < 13)
-    for name, outline, radius in (("centre_intake", CENTRE_INTAKE, .03), ("outer_intake", OUTER_INTAKE, .03)):
-        skin.region(name, Outline(outline, FRONT, radius), pick(face, "bumper"))
+    for name, outline, bars in (("centre_intake", CENTRE_INTAKE, (.243,)), ("outer_intake", OUTER_INTAKE, (.255, .325))):
+        hole = Outline(outline, FRONT, .03)
+        skin.region(name + "_frame", hole, pick(face, "bumper"), .016)
+        skin.region(name, hole, pick(face, name + "_frame"))
+        for y in bars:
+            skin.region(name + "_bar", lambda p: np.abs(p[:, 1] - y - .03 * (p[:, 0] > .45) * (p[:, 0] - .45)) - .0075, pick(face, name))
     panel = Outline(TAIL_PANEL, FRONT, .02)
     skin.region("tail_panel", panel, lambda t, l: tail_wide(t, l) and l in ("body",))
     skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .012), pick(tail_wide, "tail_panel"))

@@ -51,6 +51,7 @@ def surface():
     dashes = [sheet("dashes", "marking", (2.34, 2.46), (z, z + 3.0), .0015, .9) for z in np.arange(-76.6, 80, 7.2)]
     other = sheet("far_line", "marking", (6.2, 6.32), np.linspace(-90, 90, 31), .0015, .9)
     out += [line, joined("dashes", dashes), other]
+    out += repairs()
     near = [k * 1.0 for k in range(-18, 18)]
     stones = []
     for k, z in enumerate(near):
@@ -62,6 +63,52 @@ def surface():
     out.append(joined("kerb", stones))
     out.append(sheet("pavement", "pavement", (WALL + .1, KERB - .15), far, .108, .62))
     return out
+
+
+def ribbon(name, material, points, widths, height):
+    """A flat strip along points (x, z)."""
+    p = np.asarray(points, float)
+    t = unit(np.gradient(p, axis=0))
+    side = np.stack([t[:, 1], -t[:, 0]], 1) * np.reshape(widths, (-1, 1)) / 2
+    a, b = p + side, p - side
+    n = len(p)
+    out = np.array([(x, height, z) for x, z in np.concatenate([a, b])])
+    faces = [[k, k + 1, n + k + 1, n + k] for k in range(n - 1)]
+    part = smooth(name, material, out, faces, 60)
+    if part.normals[0][1] < 0:
+        part = smooth(name, material, out, [f[::-1] for f in faces], 60)
+    part.uvs, part.uv_corners = out[:, [0, 2]] * 1.0, part.faces
+    return part
+
+
+def repairs():
+    """Sealed cracks, a mended patch, a manhole cover and a gully by the kerb."""
+    rng = np.random.default_rng(41)
+    seals = []
+    for start, heading, count in (((4.6, -2.2), 2.5, 30), ((1.3, 2.4), .15, 26), ((.9, 7.5), -1.3, 24), ((5.6, 5), 3.6, 34), ((3.2, -16), 1.7, 40), ((2.0, -7.5), .5, 22)):
+        p, a, line = np.array(start), heading, []
+        for _ in range(count):
+            line.append(p)
+            a += rng.normal(0, .22) + .06 * (heading - a)
+            p = p + np.array((np.cos(a), np.sin(a))) * .11
+        seals.append(ribbon("seals", "bitumen", line, np.interp(np.arange(count), [0, 3, count - 4, count - 1], [.012, .04, .04, .01]) * rng.uniform(.8, 1.2, count), .0014))
+    out = [joined("seals", seals)]
+    out.append(sheet("patch", "asphalt_new", (.25, 1.45), (4.9, 7.6), .0012, .5))
+    rim = [(.25 + 1.2 * a, 4.9 + 2.7 * b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
+    out.append(joined("patch_edge", [ribbon("patch_edge", "bitumen", [np.array(u) + (np.array(v) - np.array(u)) * t for t in np.linspace(0, 1, 9)], rng.uniform(.03, .045, 9), .0020)
+                                     for u, v in zip(rim, rim[1:])]))
+    turn = np.arange(40) * 2 * np.pi / 40
+    ring = lambda r, h: [(3.35 + r * np.cos(a), h, -3.6 + r * np.sin(a)) for a in turn]
+    radii = ((.36, .002), (.33, .006), (.318, .006), (.314, -.004), (.306, -.004), (.302, .004), (0, .004))
+    points = [q for r, h in radii for q in ring(max(r, .002), h)]
+    faces = [[i * 40 + j, i * 40 + (j + 1) % 40, (i + 1) * 40 + (j + 1) % 40, (i + 1) * 40 + j] for i in range(len(radii) - 1) for j in range(40)]
+    cover = smooth("manhole", "iron", points, faces, 30)
+    cover = cover if cover.normals[cover.corners[0][0]][1] > 0 else smooth("manhole", "iron", points, [f[::-1] for f in faces], 30)
+    knobs = [box("manhole_knobs", "iron", (3.35 + x * .052, .005, -3.6 + z * .052), (.028, .008, .028), .003, 1) for x in range(-5, 6) for z in range(-5, 6) if np.hypot(x, z) < 5.2]
+    out += [cover, joined("manhole_knobs", knobs)]
+    bars = [box("gully", "iron", (KERB + .22, .002, 2.3 + k * .05), (.36, .010, .024), .003, 1) for k in range(11)]
+    bars += [box("gully", "iron", (KERB + .22 + s * .195, .002, 2.55), (.03, .012, .57), .003, 1) for s in (-1, 1)]
+    return out + [joined("gully", bars), sheet("gully_hole", "gap", (KERB + .04, KERB + .40), (2.28, 2.82), .0010, 1)]
 
 
 def wall():

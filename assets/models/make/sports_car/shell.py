@@ -28,10 +28,10 @@ def planar(part, axes, scale):
 def panels(skin):
     out = []
     for name in PAINTED:
-        part = skin.part(name, "paint", {name}, fold=.014 if name != "body" else .022)
+        part = skin.part(name, "paint", {name}, fold=.014 if name != "body" else .022, lip=.0022)
         out += pair(part) if name in ("door", "flap") else [both(part)]
     out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-.0115)))
-    out += pair(skin.part("handle", "paint", {"handle"}, offset=.004, fold=.012, lip=.003))
+    out += pair(skin.part("handle", "gloss_black", {"handle"}, offset=.003, fold=.012, lip=.003))
     out.append(both(skin.part("skirts", "carbon", {"skirt"}, fold=.01)))
     planar(out[-1], (2, 1), 30)
     slats = []
@@ -70,14 +70,20 @@ def linings(rough):
 def openings(skin):
     """Meshes, walls and darkness behind the holes."""
     out = []
+    for name in ("centre_intake", "outer_intake", "intake"):
+        frame = skin.part(name + "_frame", "gloss_black", {name + "_frame"}, offset=-.002, fold=.01)
+        bars = [skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-.014, fold=.03, lip=.003)] if name != "intake" else []
+        for part in [frame] + bars:
+            out += [both(part)] if name == "centre_intake" else pair(part)
     for name, depth, axes, back in (("centre_intake", .05, (0, 1), .14), ("outer_intake", .06, (0, 1), .10), ("vent", .025, (0, 1), .06), ("intake", .075, (2, 1), .13)):
         ahead = np.array((0, 0, -1.0 if name != "vent" else 1.0))
         if name == "intake":
             ahead = np.array((-1.0, 0, 0))
         push = lambda d: (lambda p, n: p + ahead * d)
-        mesh = planar(skin.part(name + "_mesh", "grille", {name}, shift=push(depth)), axes, 14)
-        wall = skin.part(name + "_walls", "trim_black", {name}, fold=back, lip=.004, walls=True)
-        dark = skin.part(name + "_back", "gap_black", {name}, shift=push(back))
+        whole = {name, name + "_bar"}
+        mesh = planar(skin.part(name + "_mesh", "grille", whole, shift=push(depth)), axes, 14)
+        wall = skin.part(name + "_walls", "trim_black", whole, fold=back, lip=.004, walls=True)
+        dark = skin.part(name + "_back", "gap_black", whole, shift=push(back))
         for part in (mesh, wall, dark):
             out += [both(part)] if name == "centre_intake" else pair(part)
     panel = {"tail_panel", "tail_lamp"}

@@ -22,7 +22,7 @@ def tyre(half, radius, rim):
         tread += [(x + w, r - .0008 * (1 - k)), (x + w - .001, r - deep), (x - w + .001, r - deep), (x - w, r)]
     outer = side + tread
     profile = outer + [(-x, y) for x, y in tread[::-1] + side[9:5:-1] + side[4::-2]]
-    pitch = 23
+    pitch = 21
 
     def slots(x, rr, turn):
         phase = (turn * pitch / (2 * np.pi) + np.abs(x) * 9) % 1
@@ -50,7 +50,7 @@ def spokes(half, rim):
     for k in range(5):
         for s in (-1, 1):
             path, sections = [], []
-            for t in np.linspace(0, 1, 9):
+            for t in np.linspace(0, 1, 7):
                 r = .045 + (reach - .045) * t
                 spread = s * (.012 + .036 * t ** 1.15)
                 x = edge - .040 + .034 * t ** .8 - .008 * np.sin(np.pi * t)
