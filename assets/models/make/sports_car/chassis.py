@@ -77,9 +77,11 @@ def diffuser():
     ramp = plate("ramp", "carbon", [(.135, -1.55), (.30, -2.135), (.315, -2.13), (.15, -1.54)], -.58, .58, axes=(1, 2), up=0)
     parts.append(planar(ramp, (0, 2), 30))
     for x in (-.45, -.27, -.09, .09, .27, .45):
-        fin = plate("fin", "trim_black", [(.120, -1.66), (.140, -2.06), (.185, -2.15), (.235, -2.165), (.292, -2.13), (.15, -1.60)], x - .005, x + .005, axes=(1, 2), up=0)
+        fin = plate("fin", "trim_black", [(.120, -1.66), (.165, -2.06), (.205, -2.13), (.245, -2.145), (.292, -2.13), (.15, -1.60)], x - .005, x + .005, axes=(1, 2), up=0)
         parts.append(fin)
     # Above the ramp is a face, behind the exhausts.
+    for x in (-.585, .585):
+        parts.append(plate("fin", "trim_black", [(.118, -1.55), (.150, -2.04), (.24, -2.135), (.345, -2.10), (.345, -1.9), (.15, -1.55)], x - .008, x + .008, axes=(1, 2), up=0))
     fins = joined("diffuser_fins", parts[1:])
     wall = plate("diffuser_wall", "trim_black", [(.29, -2.09), (.43, -2.06), (.43, -2.05), (.29, -2.08)], -.66, .66, axes=(1, 2), up=0)
     return [parts[0], fins, wall]
@@ -138,7 +140,7 @@ def on_surface(skin, x, z, lift):
 def wipers(skin):
     """Two arms with blades at rest along the foot of the windscreen."""
     parts = []
-    for pivot, tip, bend in (((.30, .925), (-.10, .862), .02), ((-.16, .945), (-.53, .70), .02)):
+    for pivot, tip, bend in (((.30, .925), (-.10, .862), .02), ((-.16, .945), (-.475, .765), .02)):
         arm = [on_surface(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t, .020 + .012 * np.sin(np.pi * t)) for t in np.linspace(0, .62, 6)]
         blade = [on_surface(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t - .004, .010) for t in np.linspace(.12, 1.12, 14)]
         rubber = [b - np.array((0, .004, 0)) for b in blade]

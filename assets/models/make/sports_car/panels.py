@@ -111,12 +111,13 @@ def cut(skin):
     panel = Outline(TAIL_PANEL, FRONT, .02)
     skin.region("tail_panel", panel, lambda t, l: tail_wide(t, l) and l in ("body",))
     skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .012), pick(tail_wide, "tail_panel"))
+    skin.region("tail_line", Outline(TAIL_LAMP, FRONT, .012), pick(tail_wide, "tail_lamp"), -.0085)
     skin.panel("plate", Outline(PLATE, FRONT, .012), tail, .004, ("tail_bumper",))
     skin.region("diffuser", Outline(DIFFUSER, FRONT, .03), pick(tail_wide, "tail_bumper"))
     skin.region("vent", Outline(VENT, FRONT, .02), pick(tail_wide, "tail_bumper"))
     for _ in range(2):
         skin.coarsen()
-    for _ in range(3):
+    for _ in range(4):
         skin.weld()
 
 
@@ -126,7 +127,7 @@ def cut_roughly(skin):
     skin.region("rear_window", Outline(REAR_WINDOW, TOP, .03), lambda t, l: deck(t, l) and l == "body")
     for _ in range(2):
         skin.coarsen()
-    for _ in range(3):
+    for _ in range(4):
         skin.weld()
 
 

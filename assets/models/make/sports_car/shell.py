@@ -64,7 +64,10 @@ def linings(rough):
     cards = rough.part("door_cards", "leather_dark", {"body"}, offset=-.05, pick=doors)
     bay = rough.part("lid_inside", "gap_black", {"body"}, offset=-.045, pick=engine)
     tail = rough.part("tail_mesh", "grille_fine", {"body"}, offset=-.024, pick=lambda t: t[0] == "rear" and t[2] < 2)
-    return [both(planar(tail, (0, 1), 20)), both(lining.flipped()), both(cards.flipped()), both(bay)]
+    mouth = lambda t: t[0] == "front"
+    mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, offset=-.06, pick=mouth)), (0, 1), 14)
+    dark = both(rough.part("intake_back", "gap_black", {"body"}, offset=-.115, pick=mouth))
+    return [mesh, dark, both(planar(tail, (0, 1), 20)), both(lining.flipped()), both(cards.flipped()), both(bay)]
 
 
 def openings(skin):
@@ -81,16 +84,18 @@ def openings(skin):
             ahead = np.array((-1.0, 0, 0))
         push = lambda d: (lambda p, n: p + ahead * d)
         whole = {name, name + "_bar"}
-        mesh = planar(skin.part(name + "_mesh", "grille", whole, shift=push(depth)), axes, 14)
         wall = skin.part(name + "_walls", "trim_black", whole, fold=back, lip=.004, walls=True)
-        dark = skin.part(name + "_back", "gap_black", whole, shift=push(back))
-        for part in (mesh, wall, dark):
-            out += [both(part)] if name == "centre_intake" else pair(part)
-    panel = {"tail_panel", "tail_lamp"}
+        out += [both(wall)] if name == "centre_intake" else pair(wall)
+        if name in ("vent", "intake"):
+            out += pair(planar(skin.part(name + "_mesh", "grille", whole, shift=push(depth)), axes, 14))
+            out += pair(skin.part(name + "_back", "gap_black", whole, shift=push(back)))
+    lamp = {"tail_lamp", "tail_line"}
+    panel = {"tail_panel"} | lamp
     out.append(box("tail_back", "gap_black", (0, .71, -1.985), (1.34, .20, .02), .005, 1))
     out.append(both(skin.part("tail_walls", "gloss_black", panel, fold=.05, lip=.003, walls=True)))
-    out += pair(skin.part("tail_lens", "tail_lens", {"tail_lamp"}, offset=-.004, fold=.02, lip=.003))
-    out += pair(skin.part("tail_glow", "tail_light", {"tail_lamp"}, offset=-.012))
+    out += pair(skin.part("tail_lens", "tail_lens", lamp, offset=-.004, fold=.02, lip=.003))
+    out += pair(skin.part("tail_glow", "tail_light", {"tail_line"}, offset=-.009))
+    out += pair(skin.part("tail_reflector", "tail_reflector", {"tail_lamp"}, offset=-.014))
     plate = skin.part("plate", "plate", {"plate"}, offset=.002, fold=.008)
     plate = both(plate)
     plate.uvs = np.stack([.5 - plate.points[:, 0] / .53, (plate.points[:, 1] - .455) / .12], 1)

@@ -157,7 +157,7 @@ class Skin:
         self.order = order
         self.faces, self.tags, self.labels, self.parents = faces, tags, labels, parents
 
-    def weld(self, shorter=.004):
+    def weld(self, shorter=.0075):
         """Collapses short edges, towards the corner where more regions meet, so that no line between regions moves."""
         around, sides = {}, {}
         for f, l in zip(self.faces, self.labels):
