@@ -73,7 +73,7 @@ def steering():
         spoke = box("steering_spokes", "trim_black", (.10, 0, .004), (.13, .030, .010), .004, turn=None)
         parts.append(spoke.moved(turned(2, angle)))
     boss = lathe("steering_boss", "trim_black", [(.03, .052), (-.004, .056), (-.014, .048), (-.018, 0)], 28, 30)
-    parts.append(oriented(boss).moved(np.array([[0, 0, 1], [0, 1, 0], [1, 0, 0]], float) * np.array([1, 1, 1])))
+    parts.append(oriented(boss).moved(np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]], float)))
     mark = box("steering_mark", "caliper", (0, .172, 0), (.016, .030, .030), .006)
     column = tube("steering_column", "trim_black", [(0, 0, .02), (0, 0, .22)], .035, 16)
     stalks = [box("paddles", "carbon", (x, .02, .03), (.05, .10, .005), .002) for x in (-.095, .095)]

@@ -49,8 +49,8 @@ def louvre(k):
     """The outline of slat k of the engine lid."""
     pitch = .096
     z = -1.045 - k * pitch
-    wide = lambda z: .335 + .03 * np.clip((z + 1.05) / -.7, 0, 1) - .05 * np.sin(np.pi * np.clip((z + 1.05) / -.7, 0, 1))
-    a, b = z, z - pitch * .80
+    wide = lambda z: .500 + .03 * np.clip((z + 1.05) / -.7, 0, 1) - .05 * np.sin(np.pi * np.clip((z + 1.05) / -.7, 0, 1))
+    a, b = z, z - pitch * .72
     return Outline(mirrored([(0, a), (wide(a), a - .008), (wide(b), b - .008), (0, b)]), TOP, (0, .012, .012, 0, .012, .012))
 
 
@@ -95,8 +95,9 @@ def cut(skin):
     skin.region("rear_window_seal", glass, pick(deck, "lid"))
     skin.region("rear_window_frit", glass, pick(deck, "rear_window_seal"), -.007)
     skin.region("rear_window", glass, pick(deck, "rear_window_frit"), -.028)
+    skin.region("louvre_field", Outline(mirrored([(0, -1.03), (.355, -1.035), (.325, -1.2), (.32, -1.4), (.375, -1.715), (0, -1.715)]), TOP, .02), pick(deck, "lid"))
     for k in range(LOUVRES):
-        skin.region("slat%d" % k, louvre(k), pick(deck, "lid"))
+        skin.region("slat%d" % k, louvre(k), pick(deck, "louvre_field"))
     skin.panel("flap", circle((-1.24, .800), .066), lambda t, l: t[0] == "side", GAP * .8)
     skin.region("intake_frame", Outline(INTAKE, SIDE, .03), pick(side, "body"))
     skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)

@@ -146,8 +146,8 @@ def rise(x, z):
 def ground():
     xs = -np.array((3.6, 5, 7, 10, 14, 20, 28, 38, 52, 70, 95, 130))[::-1]
     zs = np.concatenate([np.linspace(-220, -60, 9), np.linspace(-52, 52, 27), np.linspace(60, 220, 9)])
-    behind = sheet("meadow", "grass", xs, zs, rise, .45)
-    ahead = sheet("verge", "grass", (9, 14, 30, 120, 300), np.linspace(-220, 220, 12), lambda x, z: -.02 + .0 * x, .45)
+    behind = sheet("meadow", "grass", xs, zs, rise, .14)
+    ahead = sheet("verge", "grass", (9, 14, 30, 120, 300), np.linspace(-220, 220, 12), lambda x, z: -.02 + .0 * x, .14)
     return [behind, ahead]
 
 
@@ -163,7 +163,7 @@ def ridge(name, distance, height, seed):
         for k, a in enumerate(turn):
             d = distance * (1 + out)
             points.append((-d * np.sin(a), top[k] * up - 2, d * np.cos(a)))
-            uvs.append((k * .35, up))
+            uvs.append((k * .16, up))
     m = len(turn)
     faces = [[i * m + j, (i + 1) * m + j, (i + 1) * m + j + 1, i * m + j + 1] for i in range(4) for j in range(m - 1)]
     part = smooth(name, "hills", points, faces, 80, uvs, faces)
@@ -212,6 +212,21 @@ def trees():
                 ups.append(u * size)
                 rights.append(r * size)
                 normals.append(np.cross(r, u))
+    rng = np.random.default_rng(500)
+    for n in range(58):
+        z = -190 + n * 6.6 + rng.normal(0, 2)
+        x = -64 - rng.gamma(1.2, 10) - .12 * abs(z)
+        tall = rng.uniform(4, 9)
+        for b in range(3):
+            centre = np.array((x + rng.normal(0, 1.2), rise(x, z) + tall * rng.uniform(.25, .55), z + rng.normal(0, 1.6)))
+            for _ in range(9):
+                d = unit(rng.normal(0, 1, 3))
+                u = unit(np.cross(d, rng.normal(0, 1, 3)))
+                size = tall * rng.uniform(.17, .28)
+                centres.append(centre + d * tall * .26)
+                ups.append(u * size)
+                rights.append(np.cross(u, d) * size)
+                normals.append(np.cross(rights[-1], u))
     return [joined("trunks", trunks), cards("leaves", "leaves", centres, ups, rights, unit(np.array(normals)))]
 
 

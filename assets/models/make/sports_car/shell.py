@@ -37,9 +37,11 @@ def panels(skin):
     slats = []
     for k in range(LOUVRES):
         start = -1.045 - k * .096
-        lift = lambda p: .020 * (1 - (start - p[:, 2]) / .077) - .010 * ((start - p[:, 2]) / .077)
-        slats.append(skin.part("slat", "gloss_black", {"slat%d" % k}, offset=lift, fold=.007, lip=.002))
+        lift = lambda p: .012 * ((start - p[:, 2]) / .069) - .016 * (1 - (start - p[:, 2]) / .069)
+        slats.append(skin.part("slat", "paint", {"slat%d" % k}, offset=lift, fold=.007, lip=.002))
     out.append(both(joined("louvres", slats)))
+    field = {"louvre_field"} | {"slat%d" % k for k in range(LOUVRES)}
+    out.append(both(skin.part("louvre_walls", "gloss_black", field, fold=.04, lip=.003, walls=True)))
     return out
 
 
@@ -56,7 +58,7 @@ def windows(skin):
 
 def linings(rough):
     """What is seen of the cabin from inside: roof lining and door cards."""
-    cabin = lambda t: t[0] == "top" and 5 < t[1] < 13 and t[2] < 3
+    cabin = lambda t: t[0] == "top" and 5 < t[1] < 12 and t[2] < 3
     doors = lambda t: (t[0] == "side" and 5 < t[1] < 12 and t[2] < 8) or (t[0] == "top" and 5 < t[1] < 12 and t[2] in (3, 4))
     engine = lambda t: t[0] == "top" and 11 < t[1] < 15 and t[2] < 2
     lining = rough.part("lining", "lining", {"body", "windscreen_frit", "side_window_frit", "quarter_frit", "windscreen_seal", "side_window_seal",

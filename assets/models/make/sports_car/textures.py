@@ -98,9 +98,9 @@ def concrete(folder):
 
 
 def plants(folder):
-    value = noise(512, ((5, 1), (14, .8), (60, 1), (160, 1.2), (256, 1)), 20)
-    dry = noise(512, ((4, 1), (11, 1)), 21)[..., None]
-    image(tinted(value, (38, 52, 20), (118, 132, 62)) * (1 - .35 * dry) + .35 * dry * (150, 138, 86)).save(folder / "grass.jpg", quality=80)
+    value = noise(1024, ((6, 1), (16, .8), (60, .8), (200, 1), (400, 1.2)), 20)
+    dry = np.clip(noise(1024, ((5, 1), (13, 1), (40, .6)), 21)[..., None] * 2.4 - .8, 0, 1)
+    image(tinted(value, (34, 50, 16), (112, 130, 58)) * (1 - .5 * dry) + .5 * dry * (146, 134, 78)).save(folder / "grass.jpg", quality=76)
     rng = np.random.default_rng(22)
     picture = Image.new("RGBA", (512, 256), (84, 100, 44, 0))
     draw = ImageDraw.Draw(picture)
@@ -119,9 +119,12 @@ def plants(folder):
         leaf = [(s * np.cos(u) * 1.25, s * np.sin(u) * .55) for u in np.linspace(0, 6.28, 9)[:-1]]
         draw.polygon([(x + p * np.cos(t) - q * np.sin(t), y + p * np.sin(t) + q * np.cos(t)) for p, q in leaf], fill=(int(70 * g), int(96 * g), int(38 * g), 255))
     picture.save(folder / "leaves.png", optimize=True)
-    value = noise(512, ((8, 1), (20, 1), (60, 1), (140, .8)), 24)
+    fields = noise(512, ((5, 1), (11, .6)), 24, (1, 2))
+    woods = np.clip((noise(512, ((7, 1), (18, .7), (50, .35)), 25, (1, 1.6)) - .52) * 9, 0, 1)[..., None]
+    leaf = noise(512, ((90, 1), (180, 1)), 26)
+    land = tinted(fields, (104, 116, 78), (150, 150, 104)) * (1 - woods) + woods * tinted(leaf, (56, 74, 54), (92, 106, 80))
     up = np.linspace(1, 0, 512)[:, None, None]
-    image(tinted(value, (84, 98, 82), (136, 142, 112)) * (1 - .25 * up) + .25 * up * (150, 164, 178)).save(folder / "hills.jpg", quality=80)
+    image(land * (.80 - .15 * up) + (.20 + .15 * up) * np.array((150, 166, 184))).save(folder / "hills.jpg", quality=80)
 
 
 def car(folder):

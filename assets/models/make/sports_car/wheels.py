@@ -39,7 +39,7 @@ def barrel(half, rim):
     profile = [(h - .004, r + .001), (h - .001, r - .002), (h - .002, r - .007), (h - .008, r - .010), (h - .020, r - .012), (h - .030, r - .020), (h - .055, r - .026),
                (-h + .03, r - .030), (-h + .006, r - .012), (-h + .001, r - .006), (-h + .002, r), (-h + .010, r - .001), (-h + .022, r - .014), (-h + .05, r - .022),
                (h - .05, r - .018), (h - .022, r - .006), (h - .012, r)]
-    return oriented(lathe("rim", "rim", profile, 60, 40, closed=True))
+    return oriented(lathe("rim", "rim", profile, 54, 40, closed=True))
 
 
 def spokes(half, rim):
@@ -74,7 +74,7 @@ def bar(path, sections):
 
 def hub(half):
     x = half - .018
-    centre = lathe("hub", "rim", [(x - .075, .062), (x - .040, .068), (x - .026, .066), (x - .020, .058), (x - .019, .036), (x - .022, .034), (x - .022, 0)], 40, 35)
+    centre = lathe("hub", "rim", [(x - .075, .062), (x - .040, .068), (x - .026, .066), (x - .020, .058), (x - .019, .036), (x - .022, .034), (x - .022, 0)], 32, 35)
     cap = lathe("cap", "gloss_black", [(x - .022, .0325), (x - .017, .031), (x - .0155, .026), (x - .0145, 0)], 32, 30)
     nuts = []
     for k in range(5):
@@ -92,7 +92,7 @@ def brake(half, rim, big):
     # A coordinate plane across the disc carries its drilled pattern.
     disc.uvs = disc.points[:, 1:] / (2 * r) + .5
     disc.uv_corners = disc.faces
-    bell = lathe("bell", "trim_black", [(x + .004, .104), (x + .030, .100), (x + .034, .090), (x + .036, 0)], 40, 35)
+    bell = lathe("bell", "trim_black", [(x + .004, .104), (x + .030, .100), (x + .034, .090), (x + .036, 0)], 32, 35)
     out = [oriented(disc), oriented(bell)]
     arc = np.linspace(-26, 26, 9) if big else np.linspace(-22, 22, 8)
     body = []
