@@ -3,7 +3,7 @@
 import numpy as np
 
 from build import finish, grain, turn
-from shapes import curve, lathe, outline, ring, slab, sweep, tube
+from shapes import Shape, curve, outline, slab, sweep, tube
 from table import RUG
 
 SEAT = 0.445
@@ -16,7 +16,7 @@ def wood(name, shape, **how):
     return finish("beech", shape, smooth=50, **how)
 
 
-def turned(name, foot, head, profile, around=14):
+def turned(name, foot, head, profile, around=12):
     """A bar between two points, its radius by (where from 0 to 1, radius)."""
     foot, head = np.array(foot, float), np.array(head, float)
     path = [foot + (head - foot) * t for t, _ in profile]
@@ -29,7 +29,7 @@ STRETCHER = [(0, 0.0075), (0.2, 0.009), (0.42, 0.0125), (0.47, 0.0105), (0.5, 0.
 
 def chair():
     """Its sitter looks towards +z; the seat's middle is above (0, 0)."""
-    seat = slab(outline(0.45, 0.43, 0.1, 9), SEAT - 0.034, SEAT)
+    seat = slab(outline(0.45, 0.43, 0.1, 7), SEAT - 0.034, SEAT)
     seat = seat.mapped(lambda p: p * np.stack([1 + 0.28 * p[:, 2], np.ones(len(p)), np.ones(len(p))], axis=1))
     parts = [finish("beech", seat, bevel=0.011, segments=3, uv=grain("seat", 2, 0.9))]
     feet = {"fl": (-0.205, 0, 0.195), "fr": (0.205, 0, 0.195), "bl": (-0.185, 0, -0.23), "br": (0.185, 0, -0.23)}
@@ -39,9 +39,9 @@ def chair():
     at = lambda key, t: tuple(np.array(feet[key]) * (1 - t) + np.array(heads[key]) * t)
     middle = lambda a, b: tuple((np.array(a) + np.array(b)) / 2)
     left, right = (at("fl", 0.45), at("bl", 0.45)), (at("fr", 0.45), at("br", 0.45))
-    parts.append(turned("sl", *left, STRETCHER, 10))
-    parts.append(turned("sr", *right, STRETCHER, 10))
-    parts.append(turned("sm", middle(*left), middle(*right), STRETCHER, 10))
+    parts.append(turned("sl", *left, STRETCHER, 8))
+    parts.append(turned("sr", *right, STRETCHER, 8))
+    parts.append(turned("sm", middle(*left), middle(*right), STRETCHER, 8))
     parts += back()
     return parts + [cushion()]
 
@@ -71,14 +71,12 @@ def back():
         line = curve([foot, knee, head], 5)
         s = np.linspace(0, 1, len(line))
         radius = (0.0125 if post else 0.0062) + (0.003 if post else 0.003) * np.exp(-(((s - 0.35) / 0.22) ** 2))
-        parts.append(wood("spindle%d" % k, tube(line, radius, 12 if post else 9, (0, 0, 1))))
+        parts.append(wood("spindle%d" % k, tube(line, radius, 10 if post else 8, (0, 0, 1))))
     return parts
 
 
 def cushion():
     """A soft pad: its edge is thin, its middle is high, and it is buttoned at four places."""
-    body = slab(outline(0.395, 0.375, 0.1, 5), 0, 1)
-    rows, rings = 7, []
     points, faces = [], []
     edge = np.array(outline(0.395, 0.375, 0.1, 5))
     edge[:, 0] *= 1 + 0.28 * edge[:, 1]
@@ -98,15 +96,13 @@ def cushion():
     for i in range(count - 1):
         faces += [[(i + 1) * n + k, (i + 1) * n + (k + 1) % n, i * n + (k + 1) % n, i * n + k] for k in range(n)]
     faces += [list(range(n)), [(count - 1) * n + k for k in range(n)][::-1]]
-    from shapes import Shape
-
     uv = lambda p, normal: np.stack([p[:, 0] * 2.6 + 0.5, p[:, 2] * 2.6 + 0.5 + p[:, 1]], axis=1)
-    return finish("cushion", Shape(points, faces), smooth=70, uv=uv, subdivide=0)
+    return finish("cushion", Shape(points, faces), smooth=70, uv=uv)
 
 
 def build(scene):
     one = chair()
     # x, z, and where the sitter looks, in degrees from +z towards +x.
-    places = [(-0.43, -0.66, 4), (0.46, -0.68, -7), (-1.17, 0.02, 84), (1.22, 0.1, -68), (-0.5, 0.84, 152)]
+    places = [(-0.43, -0.66, 4), (0.46, -0.68, -7), (-1.17, 0.02, 84), (1.22, 0.1, -68), (-0.62, 0.83, 146)]
     for k, (x, z, angle) in enumerate(places):
         scene.put("chair_%d" % (k + 1), one, turn(y=angle, at=(x, RUG, z)))

@@ -7,7 +7,7 @@ from shapes import Shape, curve, lathe, tube
 from table import TOP
 
 
-def body(material, profile, around=28, dent=0.0, seed=0):
+def body(material, profile, around=22, dent=0.0, seed=0):
     shape = lathe(profile, around)
     if dent:
         lobes = lambda p: 1 + dent * np.cos(5 * np.arctan2(p[:, 0], p[:, 2]) + seed) * np.clip(-p[:, 1] / 0.03, -0.4, 1)
@@ -22,22 +22,22 @@ def apple(r=0.039):
     head = [(0.3 * r, 0.86 * r), (0.16 * r, 0.74 * r), (0.06 * r, 0.62 * r), (0, 0.58 * r)]
     profile = foot + [p for p in round_ if p[0] > 0.34 * r] + head
     stalk = tube(curve([(0, 0.6 * r, 0), (0.05 * r, 0.95 * r, 0), (0.16 * r, 1.28 * r, 0)], 3), 0.0014, 6)
-    return [body("apple", profile, 28, 0.02), finish("stalk", stalk)]
+    return [body("apple", profile, 22, 0.02), finish("stalk", stalk)]
 
 
 def orange(r=0.04):
-    t = np.linspace(0, np.pi, 20)
-    return [body("orange", [(r * np.sin(a) if 0 < k < 19 else 0, -r * 0.95 * np.cos(a)) for k, a in enumerate(t)])]
+    t = np.linspace(0, np.pi, 15)
+    return [body("orange", [(r * np.sin(a) if 0 < k < 14 else 0, -r * 0.95 * np.cos(a)) for k, a in enumerate(t)])]
 
 
 def pear(r=0.036):
-    t = np.linspace(0, 1, 22)
+    t = np.linspace(0, 1, 17)
     profile = []
     for k, s in enumerate(t):
         a = np.pi * s
         neck = 1 / (1 + np.exp((s - 0.62) * 12))
         radius = r * np.sin(a) ** 0.75 * (0.5 + 0.52 * neck)
-        profile.append((radius if 0 < k < 21 else 0, -r + 2.75 * r * (1 - np.cos(a)) / 2))
+        profile.append((radius if 0 < k < 16 else 0, -r + 2.75 * r * (1 - np.cos(a)) / 2))
     stalk = tube(curve([(0, 1.7 * r, 0), (0.03 * r, 2.0 * r, 0), (0.18 * r, 2.2 * r, 0)], 3), 0.0015, 6)
     return [body("pear", profile), finish("stalk", stalk)]
 
@@ -47,7 +47,7 @@ def grapes(seed=4):
     random = np.random.default_rng(seed)
     t = np.linspace(0, np.pi, 8)
     r = 0.0105
-    grape = body("grape", [(r * np.sin(a) if 0 < k < 7 else 0, -1.08 * r * np.cos(a)) for k, a in enumerate(t)], 12)
+    grape = body("grape", [(r * np.sin(a) if 0 < k < 7 else 0, -1.08 * r * np.cos(a)) for k, a in enumerate(t)], 10)
     spine = curve([(0.03, 0.088, 0.05), (0.085, 0.1, 0.075), (0.14, 0.085, 0.1), (0.165, 0.05, 0.112)], 8)
     out = []
     for k in range(46):

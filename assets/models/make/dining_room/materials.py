@@ -8,7 +8,7 @@ HEAD = """# The dining room. Textured materials have Kd 0.5, and some glossy one
 
 # Name, Kd, Ks, Ns, and further lines.
 PLAIN = [
-    ("plaster", (0.62, 0.63, 0.53), 0, 1),
+    ("plaster", (0.44, 0.53, 0.46), 0, 1),
     ("panelling", (0.78, 0.76, 0.71), 0, 1),
     ("woodwork", (0.78, 0.76, 0.71), 0.08, 60),
     ("ceiling", (0.82, 0.81, 0.78), 0, 1),
@@ -22,6 +22,7 @@ PLAIN = [
     ("terracotta", (0.55, 0.26, 0.15), 0.03, 10),
     ("enamel", (0.035, 0.12, 0.095), 0.5, 400, "Pc 1", "Pcr 0.05"),
     ("enamel_white", (0.85, 0.83, 0.78), 0.05, 40),
+    ("curtain_cord", (0.5, 0.33, 0.12), 0.04, 20),
     ("wax", (0.82, 0.77, 0.65), 0.06, 30),
     ("stalk", (0.16, 0.1, 0.05), 0, 1),
     ("grape", (0.14, 0.03, 0.09), 0.3, 60),

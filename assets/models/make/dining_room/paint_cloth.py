@@ -70,7 +70,7 @@ def cushion(folder, size=384):
 
 
 def curtain(folder, size=512):
-    """Natural linen with sprigs, woven tone on tone."""
+    """Linen of a burnt red with sprigs."""
     picture = Image.new("L", (size * 2, size * 2), 0)
     draw = ImageDraw.Draw(picture)
     for cx, cy, lean in ((256, 256, 1), (768, 768, -1)):
@@ -82,7 +82,7 @@ def curtain(folder, size=512):
                 x = cx + side * (w / 2 + 8) + lean * (k * 7 - 20)
                 draw.ellipse((x - w / 2, y - h / 2, x + w / 2, y + h / 2), fill=255)
     sprig = np.asarray(picture.resize((size, size)), float)[..., None] / 255
-    base = np.array((214, 202, 180.0)) * (1 - sprig) + np.array((150, 150, 118.0)) * sprig
+    base = np.array((166, 84, 52.0)) * (1 - sprig) + np.array((208, 156, 98.0)) * sprig
     save(folder, "curtain.jpg", base * weave(size, 128, 41, 0.12)[..., None] * 1.03, 78)
 
 

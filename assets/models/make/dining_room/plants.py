@@ -67,14 +67,14 @@ def fig(scene, x, z):
         foot = trunk[int(s * (len(trunk) - 1))]
         heading = 137.5 * k + random.uniform(-20, 20)
         a = np.radians(heading)
-        long = 0.36 * (1.08 - 0.62 * k / 18) * random.uniform(0.8, 1.15)
+        long = 0.3 * (1.08 - 0.62 * k / 18) * random.uniform(0.8, 1.15)
         out = np.array([np.sin(a), 0.0, np.cos(a)])
         tip = foot + out * long + np.array([0, 0.2 * random.uniform(0.5, 1.1), 0])
         line = curve([foot, foot * 0.5 + tip * 0.5 + np.array([0, 0.05, 0]), tip], 5)
         scene.put("fig", finish("bark", tube(line, np.linspace(0.005, 0.002, len(line)), 6), smooth=60))
-        for j in range(11):
-            p = line[min(int((0.25 + 0.75 * j / 10) * (len(line) - 1) + 0.5), len(line) - 1)]
-            turned = heading + (75 if j % 2 else -75) * (1 - 0.7 * j / 10) + random.uniform(-30, 30)
+        for j in range(14):
+            p = line[min(int((0.25 + 0.75 * j / 13) * (len(line) - 1) + 0.5), len(line) - 1)]
+            turned = heading + (75 if j % 2 else -75) * (1 - 0.7 * j / 13) + random.uniform(-30, 30)
             scene.put("fig", leaves[random.integers(3)], aim(tuple(p), turned, random.uniform(-35, 35), random.uniform(-30, 30), random.uniform(0.75, 1.2)))
 
 
@@ -110,7 +110,7 @@ def eucalyptus(scene, x, y, z):
 
 
 def build(scene):
-    fig(scene, -2.02, -1.38)
+    fig(scene, -1.9, -1.52)
     monstera(scene, 2.16, -0.02)
     fern(scene, 1.3, CASE + 0.0225, BACK + 0.17)
     eucalyptus(scene, -0.14, BOARD + 0.0012, BACK + 0.22)

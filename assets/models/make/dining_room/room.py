@@ -8,7 +8,7 @@ from shapes import Shape, block, box, lathe, moulding, slab
 LEFT, RIGHT, BACK, FRONT, HEIGHT = -2.5, 2.5, -1.9, 4.0, 2.6
 RAIL = 0.93
 # Along z, low and high y: the first is in the picture, the second beside the camera.
-WINDOWS = [(-1.45, -0.05, 0.74, 2.26), (1.1, 2.5, 0.74, 2.26)]
+WINDOWS = [(-1.3, 0.1, 0.74, 2.26), (1.1, 2.5, 0.74, 2.26)]
 DOOR = (-0.86, 0.8, 2.04)
 
 PANEL = [(0.0, 0.0), (0.0, 0.008), (-0.008, 0.016), (-0.018, 0.014), (-0.024, 0.007), (-0.034, 0.007), (-0.036, 0.0)]

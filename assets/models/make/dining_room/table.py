@@ -3,7 +3,7 @@
 import numpy as np
 
 from build import finish, grain, turn
-from shapes import Shape, block, box, lathe, outline, sheet, slab
+from shapes import Shape, block, lathe, outline, sheet, slab
 
 TOP, WIDTH, DEPTH = 0.76, 1.84, 0.96
 RUG = 0.009
@@ -74,7 +74,7 @@ def rug(scene):
             points += [(x + side * length, 0.0018, z + lean + s * 0.006) for s in (-1, 1)]
             quads = [(n, n + 1, n + 3, n + 2), (n + 2, n + 3, n + 5, n + 4)]
             faces += quads if side > 0 else [q[::-1] for q in quads]
-    scene.put("rug_fringe", finish("linen", Shape(points, [f[::-1] for f in faces] if False else faces), smooth=80), turn(at=(0, 0, 0.06)))
+    scene.put("rug_fringe", finish("linen", Shape(points, faces), smooth=80), turn(at=(0, 0, 0.06)))
 
 
 def build(scene):
