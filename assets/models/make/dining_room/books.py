@@ -41,7 +41,7 @@ def book(index):
     caps.append((m - 1, m, m + 1, m + 2))
     caps.append((0, 2 * m + 1, 2 * m + 2, 2 * m + 3))
     faces = [f for f in sides] + caps + [tuple(n + i for i in f)[::-1] for f in caps]
-    cover = finish(material, Shape(points, faces), smooth=30, uv=uv)
+    cover = finish(material, Shape(points, faces).flipped(), smooth=30, uv=uv)
     pages = box((-t / 2 + board * 0.9, edge, -w + edge), (t / 2 - board * 0.9, h - edge, -bulge - board * 1.4))
     return [cover, finish("paper", pages, smooth=None)]
 

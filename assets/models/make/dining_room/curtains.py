@@ -38,7 +38,7 @@ def drape(fixed, free, waist, folds, across, along, seed, tie=0.98):
 
 def build(scene):
     a, b, _, _ = WINDOWS[0]
-    for name, fixed, free, waist, folds, seed in (("far", a - 0.46, a + 0.24, 0.42, 8, 5), ("near", b + 0.46, b - 0.42, 0.5, 9, 8)):
+    for name, fixed, free, waist, folds, seed in (("far", a - 0.46, a + 0.24, 0.42, 8, 5), ("near", b + 0.46, b - 0.44, None, 9, 8)):
         shape = drape(fixed, free, waist, folds, 88, 40, seed)
         if free > fixed:
             shape = shape.flipped()
@@ -48,7 +48,7 @@ def build(scene):
         shape = drape(fixed, free, None, 6, 48, 14, seed)
         shape.uvs = [[(u * 1.4, v * 3.0) for u, v in face] for face in shape.uvs]
         scene.put("curtain_other", finish("curtain", shape.flipped() if free > fixed else shape, smooth=80))
-    for middle, half in ((a - 0.46 + 0.15, 0.165), (b + 0.46 - 0.22, 0.235)):
+    for middle, half in ((a - 0.46 + 0.15, 0.165),):
         loop = np.linspace(0, 2 * np.pi, 28)
         band = [(ROD_X + 0.058 * np.cos(t) - 0.016, 0.98 + 0.03 * np.sin(t + 2.2), middle + half * np.sin(t)) for t in loop]
         scene.put("curtain_band", finish("curtain_cord", tube(band, 0.011, 8), smooth=60))

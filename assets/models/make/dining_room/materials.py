@@ -64,7 +64,7 @@ LIGHTS = [
     ("pendant_light", (30, 21, 12)),
     ("shade_light", (2.6, 1.75, 0.95), "map_Ke shade.jpg"),
     ("globe_light", (7, 5, 3)),
-    ("window_light", (3.6, 4.2, 5.0)),
+    ("window_light", (2.9, 3.4, 4.0)),
 ]
 
 GLASS = "newmtl glass\nKd 0.05 0.05 0.05\nKs 0.9 0.9 0.9\nNs 1000\nNi 1.5\nTf 0.985 0.99 0.985\nillum 7\n"
