@@ -53,13 +53,13 @@ def bow(t):
 
 def back():
     parts = []
-    spread = np.linspace(-1, 1, 25)
+    spread = np.linspace(-1, 1, 19)
     path = [bow(t) for t in spread]
     sections = []
     for t in spread:
         slim = np.sqrt(max(1 - abs(t) ** 7, 0)) * 0.86 + 0.14
         h, d = 0.042 * slim, 0.0105 * slim
-        angles = np.arange(14) * 2 * np.pi / 14
+        angles = np.arange(12) * 2 * np.pi / 12
         p = lambda a: np.sign(a) * np.abs(a) ** 0.55
         sections.append([(d * p(np.cos(a)), h * p(np.sin(a))) for a in angles])
     parts.append(wood("rail", sweep(path, sections)))

@@ -38,15 +38,15 @@ def drape(fixed, free, waist, folds, across, along, seed, tie=0.98):
 
 def build(scene):
     a, b, _, _ = WINDOWS[0]
-    for name, fixed, free, waist, folds, seed in (("far", a - 0.46, a + 0.24, 0.42, 8, 5), ("near", b + 0.46, b - 0.44, None, 9, 8)):
+    for name, fixed, free, waist, folds, seed in (("far", a - 0.46, a + 0.24, 0.42, 8, 5), ("near", b + 0.46, b - 0.4, None, 9, 8)):
         shape = drape(fixed, free, waist, folds, 88, 40, seed)
         if free > fixed:
             shape = shape.flipped()
-        shape.uvs = [[(u * 1.76, v * 3.0) for u, v in face] for face in shape.uvs]
+        shape.uvs = [[(u * 4.4, v * 6.2) for u, v in face] for face in shape.uvs]
         scene.put("curtain_" + name, finish("curtain", shape, smooth=80))
     for fixed, free, seed in ((0.78, 1.25, 12), (2.84, 2.4, 15)):
         shape = drape(fixed, free, None, 6, 48, 14, seed)
-        shape.uvs = [[(u * 1.4, v * 3.0) for u, v in face] for face in shape.uvs]
+        shape.uvs = [[(u * 3.4, v * 6.2) for u, v in face] for face in shape.uvs]
         scene.put("curtain_other", finish("curtain", shape.flipped() if free > fixed else shape, smooth=80))
     for middle, half in ((a - 0.46 + 0.15, 0.165),):
         loop = np.linspace(0, 2 * np.pi, 28)

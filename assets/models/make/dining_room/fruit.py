@@ -45,12 +45,12 @@ def pear(r=0.036):
 def grapes(seed=4):
     """A bunch that lies over the rim of the bowl."""
     random = np.random.default_rng(seed)
-    t = np.linspace(0, np.pi, 8)
+    t = np.linspace(0, np.pi, 7)
     r = 0.0105
-    grape = body("grape", [(r * np.sin(a) if 0 < k < 7 else 0, -1.08 * r * np.cos(a)) for k, a in enumerate(t)], 10)
+    grape = body("grape", [(r * np.sin(a) if 0 < k < 6 else 0, -1.08 * r * np.cos(a)) for k, a in enumerate(t)], 10)
     spine = curve([(0.03, 0.088, 0.05), (0.085, 0.1, 0.075), (0.14, 0.085, 0.1), (0.165, 0.05, 0.112)], 8)
     out = []
-    for k in range(46):
+    for k in range(40):
         s = random.random() ** 0.8
         p = spine[int(s * (len(spine) - 1))]
         spread = 0.028 * (1 - 0.6 * s)
@@ -66,7 +66,7 @@ def dish(r=0.165):
         (0, 0.006), (0.4 * r, 0.006), (0.41 * r, 0.0), (0.46 * r, 0.0), (0.47 * r, 0.012), (0.66 * r, 0.03), (0.88 * r, 0.056), (0.98 * r, 0.079), (r, 0.085),
         (0.99 * r, 0.088), (0.965 * r, 0.086), (0.94 * r, 0.076), (0.84 * r, 0.056), (0.62 * r, 0.034), (0.4 * r, 0.021), (0, 0.017),
     ]
-    return finish("glaze_blue", lathe(profile, 56), smooth=60)
+    return finish("glaze_blue", lathe(profile, 48), smooth=60)
 
 
 def build(scene):

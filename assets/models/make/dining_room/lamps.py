@@ -20,8 +20,8 @@ def pendant(scene):
     outside = [(0.205, 0.0), (0.203, 0.02), (0.19, 0.06), (0.16, 0.105), (0.115, 0.145), (0.07, 0.17), (0.045, 0.182), (0.034, 0.2), (0.03, 0.235)]
     inside = [(0.029, 0.233), (0.033, 0.198), (0.044, 0.178), (0.068, 0.166), (0.112, 0.141), (0.156, 0.102), (0.186, 0.058), (0.199, 0.02), (0.201, 0.0)]
     at = turn(at=PENDANT)
-    scene.put("pendant", finish("enamel", lathe(outside, 64), smooth=50), at)
-    scene.put("pendant", finish("enamel_white", lathe(inside, 64), smooth=50), at)
+    scene.put("pendant", finish("enamel", lathe(outside, 56), smooth=50), at)
+    scene.put("pendant", finish("enamel_white", lathe(inside, 56), smooth=50), at)
     rim = [(0.203 + 0.0032 * np.cos(a), 0.0032 * np.sin(a)) for a in np.linspace(-np.pi, np.pi, 9)]
     scene.put("pendant", finish("brass", lathe(rim, 64), smooth=80), at)
     cap = [(0.0, 0.225), (0.032, 0.225), (0.034, 0.235), (0.03, 0.255), (0.012, 0.27), (0.008, 0.3), (0, 0.3)]
@@ -57,11 +57,11 @@ def wall_lamp(scene):
     plate = lathe([(0.042, -0.004), (0.042, 0.006), (0.036, 0.013), (0.014, 0.017), (0, 0.018)], 28)
     plate = plate.mapped(lambda p: np.stack([p[:, 0], -p[:, 2], p[:, 1]], axis=1))
     scene.put("wall_lamp", finish("brass", plate, smooth=45), at)
-    arm = curve([(0, 0, 0.01), (0, -0.03, 0.06), (0, -0.02, 0.115), (0, 0.03, 0.125)], 8)
+    arm = curve([(0, 0, 0.01), (0, -0.03, 0.07), (0, -0.02, 0.14), (0, 0.03, 0.15)], 8)
     scene.put("wall_lamp", finish("brass", tube(arm, 0.006, 12, (1, 0, 0)), smooth=60), at)
-    cup = lathe([(0, 0.02), (0.012, 0.022), (0.03, 0.034), (0.033, 0.048), (0.03, 0.05), (0, 0.05)], 24).moved(0, 0, 0.125)
+    cup = lathe([(0, 0.02), (0.012, 0.022), (0.03, 0.034), (0.033, 0.048), (0.03, 0.05), (0, 0.05)], 24).moved(0, 0, 0.15)
     scene.put("wall_lamp", finish("brass", cup, smooth=50), at)
-    scene.put("wall_globe", finish("globe_light", ball(0.075, 28, 16).moved(0, 0.112, 0.125), smooth=80), at)
+    scene.put("wall_globe", finish("globe_light", ball(0.075, 28, 16).moved(0, 0.112, 0.15), smooth=80), at)
 
 
 def build(scene):

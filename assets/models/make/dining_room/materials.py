@@ -32,8 +32,6 @@ PLAIN = [
     ("stem", (0.2, 0.3, 0.1), 0.04, 20),
     ("bark", (0.24, 0.17, 0.11), 0, 1),
     ("lawn", (0.11, 0.18, 0.05), 0, 1),
-    ("hedge", (0.06, 0.12, 0.035), 0, 1),
-    ("tree", (0.1, 0.15, 0.05), 0, 1),
 ]
 
 # Name, picture, Ks, Ns, and further lines.
@@ -56,6 +54,7 @@ TEXTURED = [
     ("monstera", "monstera.jpg", 0.12, 40, "map_d monstera_mask.png"),
     ("ficus", "ficus.jpg", 0.1, 40, "map_d ficus_mask.png"),
     ("fern", "fern.jpg", 0.03, 20, "map_d fern_mask.png"),
+    ("hedge", "hedge.jpg", 0, 1),
     ("eucalyptus", "eucalyptus.jpg", 0.05, 20, "map_d eucalyptus_mask.png"),
 ]
 
@@ -63,7 +62,7 @@ TEXTURED = [
 LIGHTS = [
     ("pendant_light", (30, 21, 12)),
     ("shade_light", (2.6, 1.75, 0.95), "map_Ke shade.jpg"),
-    ("globe_light", (7, 5, 3)),
+    ("globe_light", (4, 2.9, 1.75)),
     ("window_light", (2.9, 3.4, 4.0)),
 ]
 

@@ -26,7 +26,7 @@ def landscape(folder, width=960, height=640):
         picture = np.where(inside, paint, picture)
     soft = Image.fromarray(np.clip(picture, 0, 255).astype(np.uint8)).filter(ImageFilter.ModeFilter(7))
     canvas = 1 + 0.1 * (lattice(height, width, height // 2, width // 2, 9) - 0.5)
-    save(folder, "landscape.jpg", np.asarray(soft, float) * canvas[..., None], 82)
+    save(folder, "landscape.jpg", np.asarray(soft, float) * 1.18 * canvas[..., None], 82)
 
 
 def botanical(folder, width=320, height=448):

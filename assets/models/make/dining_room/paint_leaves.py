@@ -118,6 +118,22 @@ def eucalyptus(folder):
     leaf(folder, "eucalyptus", shape, veins, [(84, 112, 96), (112, 140, 120), (140, 164, 142), (164, 184, 160)], 96, 112, seed=9)
 
 
+def hedge(folder, size=320, count=2600):
+    """Leaves over leaves, darker below; it repeats at its edges."""
+    random = np.random.default_rng(77)
+    picture = Image.new("RGB", (size, size), (14, 24, 10))
+    draw = ImageDraw.Draw(picture)
+    for k in range(count):
+        light = 0.25 + 0.75 * k / count * random.uniform(0.6, 1)
+        fill = tuple(int(c * light) for c in (96 + random.integers(-24, 24), 132 + random.integers(-16, 16), 58))
+        x, y, a, r = random.uniform(0, size), random.uniform(0, size), random.uniform(0, 2 * np.pi), random.uniform(5, 9)
+        for dx in (-size, 0, size):
+            for dy in (-size, 0, size):
+                tips = [(x + dx + r * s * np.cos(a + t), y + dy + r * s * np.sin(a + t)) for s, t in ((1, 0), (0.45, 1.4), (1, np.pi), (0.45, -1.4))]
+                draw.polygon(tips, fill=fill)
+    save(folder, "hedge.jpg", picture, 72)
+
+
 def paint(folder):
-    for part in (monstera, ficus, fern, eucalyptus):
+    for part in (monstera, ficus, fern, eucalyptus, hedge):
         part(folder)

@@ -51,7 +51,7 @@ def runner():
         ripple = 0.0006 * (1 + np.sin(23 * s + 9 * v)) * (out < 0)
         return np.sign(s) * x, TOP + 0.0034 + ripple + y, (0.5 - v) * breadth
 
-    shape = sheet(72, 10, place)
+    shape = sheet(64, 8, place)
     shape.uvs = [[(2 * u, v) for u, v in face] for face in shape.uvs]
     return finish("runner", shape, thickness=0.002, smooth=50)
 
@@ -64,8 +64,8 @@ def rug(scene):
     random = np.random.default_rng(17)
     points, faces = [], []
     for side in (-1, 1):
-        for k in range(150):
-            z = (k + 0.5) / 150 * d - d / 2
+        for k in range(110):
+            z = (k + 0.5) / 110 * d - d / 2
             lean, length = random.normal(0, 0.006), random.uniform(0.045, 0.06)
             n = len(points)
             x = side * (w / 2 - 0.004)

@@ -15,7 +15,7 @@ def plate(radius=0.132):
         (0.995 * r, 0.0205), (0.96 * r, 0.0205), (0.72 * r, 0.0135), (0.64 * r, 0.008), (0.55 * r, 0.0062), (0, 0.0058),
     ]
     uv = lambda p, n: np.stack([0.5 + p[:, 0] / r / 2.06, 0.5 - p[:, 2] / r / 2.06], axis=1)
-    return finish("plate", lathe(profile, 48), smooth=50, uv=uv)
+    return finish("plate", lathe(profile, 40), smooth=50, uv=uv)
 
 
 def bowl(radius=0.072):
@@ -34,13 +34,13 @@ def wineglass():
         (0.009, 0.087), (0.02, 0.095), (0.031, 0.11), (0.0365, 0.13), (0.0375, 0.15), (0.0355, 0.175), (0.032, 0.2),
     ]
     inside = [(0.0312, 0.2008), (0.0305, 0.2), (0.034, 0.175), (0.036, 0.15), (0.035, 0.13), (0.0295, 0.1115), (0.019, 0.097), (0.009, 0.0905), (0, 0.089)]
-    return finish("glass", lathe(outside + inside, 32), smooth=70)
+    return finish("glass", lathe(outside + inside, 28), smooth=70)
 
 
 def carafe():
     outside = [(0, 0.0), (0.048, 0.0), (0.054, 0.004), (0.062, 0.03), (0.063, 0.06), (0.054, 0.1), (0.036, 0.14), (0.025, 0.17), (0.024, 0.19), (0.031, 0.22), (0.037, 0.238)]
     inside = [(0.0362, 0.239), (0.035, 0.2375), (0.029, 0.22), (0.022, 0.19), (0.023, 0.17), (0.0335, 0.14), (0.0515, 0.1), (0.0605, 0.06), (0.0595, 0.03), (0.052, 0.0085), (0, 0.0075)]
-    return finish("glass", lathe(outside + inside, 48), smooth=70)
+    return finish("glass", lathe(outside + inside, 36), smooth=70)
 
 
 def candle(height, stick):

@@ -63,11 +63,13 @@ def garden(scene):
     lawn = Shape([(-6.4, -0.45, 3.6), (-2.9, -0.45, 3.6), (-2.9, -0.45, -4.6), (-6.4, -0.45, -4.6)], [(0, 1, 2, 3)])
     scene.put("garden", finish("lawn", lawn, smooth=None))
     places = [
-        ((-4.3, 0.1, -2.6), (0.55, 0.75, 0.6)), ((-5.0, 0.35, -1.6), (0.7, 0.85, 0.8)), ((-5.7, 1.3, -3.7), (0.8, 1.1, 0.8)),
-        ((-3.6, 0.0, -3.3), (0.6, 0.6, 0.6)), ((-4.9, 0.2, -3.6), (0.8, 0.9, 0.8)),
+        ((-4.0, 0.0, -1.5), (0.5, 0.85, 0.6)), ((-4.5, 0.4, -2.3), (0.6, 1.0, 0.7)), ((-4.2, 0.3, -3.1), (0.6, 1.15, 0.7)), ((-3.6, 0.3, -3.5), (0.6, 0.95, 0.6)),
+        ((-4.9, 0.6, -3.6), (0.7, 1.1, 0.7)), ((-3.5, -0.2, -2.1), (0.35, 0.5, 0.4)),
     ]
     for k, (centre, size) in enumerate(places):
-        scene.put("garden", finish("hedge" if k % 3 else "tree", bush(centre, size, 300 + 5 * k), smooth=60))
+        shape = bush(centre, size, 300 + 5 * k)
+        shape.uvs = [[(7 * u, 3 * v) for u, v in face] for face in shape.uvs]
+        scene.put("garden", finish("hedge", shape, smooth=60))
 
 
 def build(scene):
