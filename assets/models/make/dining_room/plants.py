@@ -36,9 +36,9 @@ def monstera(scene, x, z):
     mound = lathe([(0.171, 0.27), (0.12, 0.283), (0.05, 0.292), (0, 0.294)], 32)
     scene.put("planter", finish("soil", mound.mapped(lambda p: p + np.stack([0 * p[:, 0], 0.012 * at_height(3, p, 0.03), 0 * p[:, 0]], axis=1)), smooth=80), turn(at=(x, 0, z)))
     leaves = [card("monstera", 0.36, 0.3, 6, 9, 0.16, d, 0.035) for d in (0.45, 0.8, 1.15)]
-    for k in range(17):
+    for k in range(22):
         heading = 137.5 * k + random.uniform(-14, 14)
-        s = k / 16
+        s = k / 21
         reach, rise = 0.34 - 0.24 * s + random.uniform(-0.04, 0.04), 0.26 + 0.62 * s + random.uniform(-0.05, 0.05)
         a = np.radians(heading)
         out = np.array([np.sin(a), 0, np.cos(a)])

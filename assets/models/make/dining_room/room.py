@@ -93,14 +93,14 @@ def door(scene):
     """Six raised panels in the right wall."""
     middle, width, height = DOOR
     at = turn(y=-90, at=(RIGHT, 0, middle))
-    parts = [finish("woodwork", block((0, height / 2, -0.004), (width - 0.004, height - 0.006, 0.03)), bevel=0.003)]
+    parts = [finish("door_paint", block((0, height / 2, -0.004), (width - 0.004, height - 0.006, 0.03)), bevel=0.003)]
     rows = [(0.2, 0.72), (0.86, 1.5), (1.62, 1.9)]
     for low, high in rows:
         for x in (-0.18, 0.18):
             y, size = (low + high) / 2, (0.26, high - low)
-            parts.append(finish("woodwork", moulding(*size, PANEL).moved(x, y, 0.011), smooth=35))
+            parts.append(finish("door_paint", moulding(*size, PANEL).moved(x, y, 0.011), smooth=35))
             raised = block((x, y, 0.011), (size[0] - 0.09, size[1] - 0.09, 0.012))
-            parts.append(finish("woodwork", raised, bevel=0.005, segments=1, smooth=20))
+            parts.append(finish("door_paint", raised, bevel=0.005, segments=1, smooth=20))
     case = moulding(width, height + 0.4, CASING).moved(0, height / 2 - 0.2, 0)
     parts.append(finish("woodwork", case, smooth=35))
     knob = lathe([(0.026, 0), (0.026, 0.004), (0.009, 0.008), (0.008, 0.028), (0.018, 0.034), (0.026, 0.046), (0.024, 0.058), (0.012, 0.066), (0, 0.067)], 20)
