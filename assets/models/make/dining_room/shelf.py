@@ -45,26 +45,30 @@ def build(scene):
     # The lowest board: large ones; a pile at the right.
     end = books.row([9, 17, 4, 8, 13, 2, 7, 3, 16, 0, 10], x0, y[0], z, 1)
     books.row([19], end, y[0], z, 2, lean=11)
+    books.row([1, 8, 12, 15], end + 0.13, y[0], z, 22)
     books.pile([17, 9, 13, 4], RIGHT - 0.29, y[0], z - 0.225, 3)
     # The second: leaning after a row, one shown from its front.
     end = books.row([0, 7, 3, 14, 5, 16, 10, 12, 19, 1, 17, 18], x0, y[1], z, 4)
     books.row([6], end, y[1], z, 5, lean=14)
-    show(books, 12, RIGHT - 0.16, y[1], z - 0.01)
+    books.row([8, 11, 4, 15, 2, 9], end + 0.16, y[1], z, 23)
+    show(books, 12, RIGHT - 0.13, y[1], z - 0.01)
     # The third: a vase at the left, books at the right.
     scene.put("shelf_things", vase(URN, "glaze_white"), turn(at=(x0 + 0.1, y[2], z - 0.11)))
     end = books.row([1, 18, 11, 15, 12, 6, 3, 8, 14, 2, 5], x0 + 0.22, y[2], z, 7)
     books.row([0], end, y[2], z, 8, lean=12)
+    books.row([17, 19, 4, 10, 16], end + 0.12, y[2], z, 24)
     books.pile([2, 10, 7], RIGHT - 0.19, y[2], z - 0.2, 9)
     # The fourth: a pile with a jar on it, and a row.
     top = books.pile([8, 16, 19], x0 + 0.13, y[3], z - 0.2, 10)
     scene.put("shelf_things", vase(JAR, "glaze_blue"), turn(at=(x0 + 0.14, top, z - 0.12)))
     end = books.row([5, 14, 1, 7, 11, 18, 0, 13, 16, 10, 15, 3], x0 + 0.32, y[3], z, 11)
     books.row([15], end, y[3], z, 12, lean=13)
+    books.row([17, 9, 4, 2, 6], RIGHT - BOARD - 0.19, y[3], z, 25)
     # The fifth: one from its front, a row, a jar.
     show(books, 4, x0 + 0.12, y[4], z - 0.01)
     end = books.row([16, 3, 0, 10, 13, 6, 19, 12, 1], x0 + 0.27, y[4], z, 13)
     books.row([5], end, y[4], z, 14, lean=10)
-    show(books, 14, RIGHT - 0.32, y[4], z - 0.01)
+    show(books, 14, RIGHT - 0.34, y[4], z - 0.01)
     scene.put("shelf_things", vase(JAR, "terracotta"), turn(at=(RIGHT - 0.12, y[4], z - 0.12)))
 
 
