@@ -56,7 +56,7 @@ def build(scene):
     scene.put("shelf_things", vase(URN, "glaze_white"), turn(at=(x0 + 0.1, y[2], z - 0.11)))
     end = books.row([1, 18, 11, 15, 12, 6, 3, 8, 14, 2, 5], x0 + 0.22, y[2], z, 7)
     books.row([0], end, y[2], z, 8, lean=12)
-    books.row([17, 19, 4, 10, 16], end + 0.12, y[2], z, 24)
+    books.row([17, 19, 4], end + 0.12, y[2], z, 24)
     books.pile([2, 10, 7], RIGHT - 0.19, y[2], z - 0.2, 9)
     # The fourth: a pile with a jar on it, and a row.
     top = books.pile([8, 16, 19], x0 + 0.13, y[3], z - 0.2, 10)
