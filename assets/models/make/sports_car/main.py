@@ -1,0 +1,47 @@
+"""Writes ../../sports-car.obj, .mtl, sports-car-road.obj, .mtl and their textures: `python3 make/sports_car/main.py`.
+
+It needs numpy, Pillow and Blender's module bpy (for the road's trees). The same files come out every time.
+"""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import cage
+import chassis
+import interior
+import lights
+import materials
+import mesh
+import panels
+import road
+import shell
+import textures
+import wheels
+
+# Textured materials whose parts have no coordinates of their own get them by the axis a face looks along.
+BOXED = {"leather": 5, "carbon": 30}
+MODELS = Path(__file__).resolve().parent.parent.parent
+
+
+def main():
+    skin = cage.body(4)
+    whole = cage.body(3)
+    rough = cage.body(3)
+    panels.cut(skin)
+    panels.cut_roughly(rough)
+    parts = shell.all_parts(skin, rough) + lights.all_parts(whole) + chassis.all_parts(whole) + wheels.wheels() + interior.all_parts()
+    for part in parts:
+        if part.uvs is None and part.material in BOXED:
+            road.soft_uv(part, BOXED[part.material])
+    mesh.write(MODELS / "sports-car.obj", ["A sports car. Metres, y up, nose towards +z. Made by make/sports_car/main.py."], "sports-car.mtl", parts)
+    materials.write(MODELS / "sports-car.mtl", "A sports car.", materials.CAR)
+    mesh.write(MODELS / "sports-car-road.obj", ["A road with kerb, wall and trees, for the sports car. Metres, y up. Made by make/sports_car/main.py."],
+               "sports-car-road.mtl", road.all_parts())
+    materials.write(MODELS / "sports-car-road.mtl", "The sports car's road.", materials.ROAD)
+    textures.write(MODELS / "sports-car")
+
+
+if __name__ == "__main__":
+    main()

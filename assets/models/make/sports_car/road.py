@@ -1,0 +1,257 @@
+"""The road: asphalt with markings, a kerb with joints, paving, a low stone wall, grass, trees and hills beyond."""
+
+import numpy as np
+
+from mesh import Part, joined, smooth, unit
+from shapes import box, oriented, sweep, disk
+
+KERB, WALL = -1.72, -3.35
+
+
+def boxed_uv(part, scale, seed=None):
+    """Texture coordinates by the axis that a face looks along; with a seed, moved at random for the whole part."""
+    shift = np.random.default_rng(seed).random(2) * 7 if seed is not None else np.zeros(2)
+    uvs, corners = [], []
+    for k, f in enumerate(part.faces):
+        n = np.abs(part.normals[part.corners[k]].mean(0))
+        axes = ((2, 1), (0, 2), (0, 1))[int(np.argmax(n))]
+        corners.append(list(range(len(uvs), len(uvs) + len(f))))
+        uvs += [part.points[v][list(axes)] * scale + shift for v in f]
+    part.uvs, part.uv_corners = np.array(uvs), corners
+    return part
+
+
+def soft_uv(part, scale):
+    """As above, but by the normal at each position, so that coordinates are shared."""
+    n = np.zeros_like(part.points)
+    for f, c in zip(part.faces, part.corners):
+        n[f] = part.normals[c]
+    axis = np.abs(n).argmax(1)
+    p = part.points
+    part.uvs = np.where((axis == 0)[:, None], p[:, [2, 1]], np.where((axis == 1)[:, None], p[:, [0, 2]], p[:, [0, 1]])) * scale
+    part.uv_corners = part.faces
+    return part
+
+
+def sheet(name, material, xs, zs, height, scale):
+    """A field of quads over x and z, facing up."""
+    points = np.array([(x, height(x, z) if callable(height) else height, z) for x in xs for z in zs])
+    m = len(zs)
+    faces = [[i * m + j, i * m + j + 1, (i + 1) * m + j + 1, (i + 1) * m + j] for i in range(len(xs) - 1) for j in range(m - 1)]
+    part = smooth(name, material, points, faces, 60)
+    part.uvs = points[:, [0, 2]] * scale
+    part.uv_corners = faces
+    return part
+
+
+def surface():
+    far = np.array((-220, -60, -25, -10, 0, 10, 25, 60, 220.0))
+    out = [sheet("asphalt", "asphalt", (KERB + .02, 0, 3, 9), far, lambda x, z: 0.0, .5)]
+    line = sheet("edge_line", "marking", (-1.46, -1.34), np.linspace(-90, 90, 31), .0015, .9)
+    dashes = [sheet("dashes", "marking", (2.34, 2.46), (z, z + 3.0), .0015, .9) for z in np.arange(-76.6, 80, 7.2)]
+    other = sheet("far_line", "marking", (6.2, 6.32), np.linspace(-90, 90, 31), .0015, .9)
+    out += [line, joined("dashes", dashes), other]
+    out += repairs()
+    near = [k * 1.0 for k in range(-18, 18)]
+    stones = []
+    for k, z in enumerate(near):
+        rng = np.random.default_rng(100 + k)
+        stone = box("kerb", "kerb", (KERB - .075 + rng.normal(0, .002), .035 + rng.normal(0, .002), z + .5), (.15, .17, .992), .012, 1)
+        stones.append(boxed_uv(stone, 1.3, 200 + k))
+    for z in ((-220, -18), (18, 220)):
+        stones.append(boxed_uv(box("kerb", "kerb", (KERB - .075, .035, sum(z) / 2), (.15, .17, z[1] - z[0]), .012, 1), 1.3, 7))
+    out.append(joined("kerb", stones))
+    out.append(sheet("pavement", "pavement", (WALL + .1, KERB - .15), far, .108, .62))
+    return out
+
+
+def ribbon(name, material, points, widths, height):
+    """A flat strip along points (x, z)."""
+    p = np.asarray(points, float)
+    t = unit(np.gradient(p, axis=0))
+    side = np.stack([t[:, 1], -t[:, 0]], 1) * np.reshape(widths, (-1, 1)) / 2
+    a, b = p + side, p - side
+    n = len(p)
+    out = np.array([(x, height, z) for x, z in np.concatenate([a, b])])
+    faces = [[k, k + 1, n + k + 1, n + k] for k in range(n - 1)]
+    part = smooth(name, material, out, faces, 60)
+    if part.normals[0][1] < 0:
+        part = smooth(name, material, out, [f[::-1] for f in faces], 60)
+    part.uvs, part.uv_corners = out[:, [0, 2]] * 1.0, part.faces
+    return part
+
+
+def repairs():
+    """Sealed cracks, a mended patch, a manhole cover and a gully by the kerb."""
+    rng = np.random.default_rng(41)
+    seals = []
+    for start, heading, count in (((4.6, -2.2), 2.5, 30), ((1.3, 2.4), .15, 26), ((.9, 7.5), -1.3, 24), ((5.6, 5), 3.6, 34), ((3.2, -16), 1.7, 40), ((2.0, -7.5), .5, 22)):
+        p, a, line = np.array(start), heading, []
+        for _ in range(count):
+            line.append(p)
+            a += rng.normal(0, .22) + .06 * (heading - a)
+            p = p + np.array((np.cos(a), np.sin(a))) * .11
+        seals.append(ribbon("seals", "bitumen", line, np.interp(np.arange(count), [0, 3, count - 4, count - 1], [.012, .04, .04, .01]) * rng.uniform(.8, 1.2, count), .0014))
+    out = [joined("seals", seals)]
+    out.append(sheet("patch", "asphalt_new", (.25, 1.45), (4.9, 7.6), .0012, .5))
+    rim = [(.25 + 1.2 * a, 4.9 + 2.7 * b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
+    out.append(joined("patch_edge", [ribbon("patch_edge", "bitumen", [np.array(u) + (np.array(v) - np.array(u)) * t for t in np.linspace(0, 1, 9)], rng.uniform(.03, .045, 9), .0020)
+                                     for u, v in zip(rim, rim[1:])]))
+    turn = np.arange(40) * 2 * np.pi / 40
+    ring = lambda r, h: [(3.35 + r * np.cos(a), h, -3.6 + r * np.sin(a)) for a in turn]
+    radii = ((.36, .002), (.33, .006), (.318, .006), (.314, -.004), (.306, -.004), (.302, .004), (0, .004))
+    points = [q for r, h in radii for q in ring(max(r, .002), h)]
+    faces = [[i * 40 + j, i * 40 + (j + 1) % 40, (i + 1) * 40 + (j + 1) % 40, (i + 1) * 40 + j] for i in range(len(radii) - 1) for j in range(40)]
+    cover = smooth("manhole", "iron", points, faces, 30)
+    cover = cover if cover.normals[cover.corners[0][0]][1] > 0 else smooth("manhole", "iron", points, [f[::-1] for f in faces], 30)
+    knobs = [box("manhole_knobs", "iron", (3.35 + x * .052, .005, -3.6 + z * .052), (.028, .008, .028), .003, 1) for x in range(-5, 6) for z in range(-5, 6) if np.hypot(x, z) < 5.2]
+    out += [cover, joined("manhole_knobs", knobs)]
+    bars = [box("gully", "iron", (KERB + .22, .002, 2.3 + k * .05), (.36, .010, .024), .003, 1) for k in range(11)]
+    bars += [box("gully", "iron", (KERB + .22 + s * .195, .002, 2.55), (.03, .012, .57), .003, 1) for s in (-1, 1)]
+    return out + [joined("gully", bars), sheet("gully_hole", "gap", (KERB + .04, KERB + .40), (2.28, 2.82), .0010, 1)]
+
+
+def wall():
+    """Three courses of blocks near the car, each a little different, and a plain run beyond; cap stones on top."""
+    blocks = []
+    rng = np.random.default_rng(9)
+    for course in range(3):
+        z = -16.0 - .23 * course
+        while z < 16:
+            long, high = rng.uniform(.36, .66), .215
+            blocks.append(boxed_uv(box("wall_blocks", "wall", (WALL - .17 + rng.normal(0, .007), .108 + .111 + course * .222, z + long / 2),
+                                       (.34, high, long - .014), .016, 1), .9, int(rng.integers(1e6))))
+            z += long
+    out = [joined("wall_blocks", blocks)]
+    out.append(box("wall_core", "mortar", (WALL - .17, .40, 0), (.30, .64, 31.6), .01, 1))
+    runs = [boxed_uv(box("wall_far", "wall", (WALL - .17, .10 + .333, sum(z) / 2), (.33, .70, z[1] - z[0]), .01, 1), .9, 5) for z in ((-200, -16.2), (16.2, 200))]
+    out.append(joined("wall_far", runs))
+    caps = []
+    z = -17.0
+    while z < 17:
+        caps.append(boxed_uv(box("wall_caps", "wall_cap", (WALL - .17 + rng.normal(0, .004), .812 + rng.normal(0, .002), z + .45), (.42, .075, .892), .014, 1), 1.0, int(rng.integers(1e6))))
+        z += .9
+    for span in ((-200, -17), (z, 200)):
+        caps.append(boxed_uv(box("wall_caps", "wall_cap", (WALL - .17, .812, sum(span) / 2), (.42, .075, span[1] - span[0]), .014, 1), 1.0, 3))
+    out.append(joined("wall_caps", caps))
+    return out
+
+
+def rise(x, z):
+    """Height of the ground behind the wall."""
+    away = max(0.0, -x - 4.2)
+    return .30 + .055 * away + .5 * np.sin(z * .045 + 1) * min(1, away / 12) + .35 * np.sin(x * .11 + z * .07) * min(1, away / 12)
+
+
+def ground():
+    xs = -np.array((3.6, 5, 7, 10, 14, 20, 28, 38, 52, 70, 95, 130))[::-1]
+    zs = np.concatenate([np.linspace(-220, -60, 9), np.linspace(-52, 52, 27), np.linspace(60, 220, 9)])
+    behind = sheet("meadow", "grass", xs, zs, rise, .14)
+    ahead = sheet("verge", "grass", (9, 14, 30, 120, 300), np.linspace(-220, 220, 12), lambda x, z: -.02 + .0 * x, .14)
+    return [behind, ahead]
+
+
+def ridge(name, distance, height, seed):
+    """A line of hills as a bent strip with a rounded top."""
+    rng = np.random.default_rng(seed)
+    turn = np.radians(np.linspace(-5, 365, 150))
+    waves = sum(rng.uniform(.3, 1) / k * np.sin(k * turn * 2 + rng.random() * 6) for k in range(1, 9))
+    top = height * (.62 + .30 * waves)
+    top = np.maximum(top, height * .12)
+    points, uvs = [], []
+    for s, (out, up) in enumerate(((-.12, 0), (-.06, .45), (-.02, .8), (.02, .96), (.07, 1))):
+        for k, a in enumerate(turn):
+            d = distance * (1 + out)
+            points.append((-d * np.sin(a), top[k] * up - 2, d * np.cos(a)))
+            uvs.append((k * .16, up))
+    m = len(turn)
+    faces = [[i * m + j, (i + 1) * m + j, (i + 1) * m + j + 1, i * m + j + 1] for i in range(4) for j in range(m - 1)]
+    part = smooth(name, "hills", points, faces, 80, uvs, faces)
+    # Seen from the middle.
+    if (part.normals[part.corners[0]].mean(0) @ np.array(part.points[part.faces[0]].mean(0))) > 0:
+        part = Part(name, "hills", part.points, [f[::-1] for f in part.faces], -part.normals, [f[::-1] for f in part.corners], part.uvs, [f[::-1] for f in part.uv_corners])
+    return part
+
+
+def cards(name, material, centres, ups, rights, normals, uv=((0, 0), (1, 0), (1, 1), (0, 1))):
+    points, faces, uv_corners = [], [], []
+    for c, u, r in zip(centres, ups, rights):
+        k = len(points)
+        points += [c - r - u, c + r - u, c + r + u, c - r + u]
+        faces.append([k, k + 1, k + 2, k + 3])
+        uv_corners.append([0, 1, 2, 3])
+    return Part(name, material, points, faces, normals, [[k] * 4 for k in range(len(faces))], uv, uv_corners)
+
+
+def trees():
+    trunks, centres, ups, rights, normals = [], [], [], [], []
+    for n, (x, z, tall) in enumerate(((-9, 13, 6.2), (-13, 22, 7.5), (-11, -14, 6.5), (-17, -24, 8.5), (-21, 6, 8), (-26, 34, 9), (-10, 42, 7), (-30, -8, 9.5),
+                                      (-14, -46, 8), (-38, 20, 10), (-9.5, 70, 7.5), (-24, -70, 9))):
+        rng = np.random.default_rng(300 + n)
+        foot = np.array((x, rise(x, z) - .2, z))
+        lean = rng.normal(0, .25, 2)
+        path = [foot + np.array((lean[0] * t * t, tall * .62 * t, lean[1] * t * t)) for t in np.linspace(0, 1, 6)]
+        trunks.append(sweep("trunks", "bark", path, [disk(.026 * tall * (1.15 - .85 * t) * (1.5 if t == 0 else 1), 9) for t in np.linspace(0, 1, 6)], 60))
+        for b in range(5):
+            a = b * 1.26 + rng.random()
+            start, end = path[2 + b % 3], path[5] + np.array((np.cos(a), .25 + .1 * b, np.sin(a))) * tall * .18
+            trunks.append(sweep("trunks", "bark", [start + (end - start) * t + np.array((0, .08 * tall * t * (1 - t), 0)) for t in (0, .4, 1)],
+                                [disk(.011 * tall * (1 - .7 * t), 6) for t in (0, .4, 1)], 60))
+        blobs = [(path[5] + np.array((0, tall * .10, 0)), tall * .20)]
+        for b in range(8):
+            a = b * .785 + rng.random() * .6
+            blobs.append((path[5] + np.array((np.cos(a) * .18, rng.uniform(-.10, .14), np.sin(a) * .18)) * tall, tall * rng.uniform(.10, .16)))
+        for centre, radius in blobs:
+            for _ in range(46):
+                d = unit(rng.normal(0, 1, 3) + np.array((0, .25, 0)))
+                c = centre + d * radius * rng.uniform(.55, 1.05)
+                size = rng.uniform(.028, .048) * tall
+                u = unit(np.cross(d, rng.normal(0, 1, 3)))
+                r = unit(np.cross(u, d) + d * rng.normal(0, .5))
+                centres.append(c)
+                ups.append(u * size)
+                rights.append(r * size)
+                normals.append(np.cross(r, u))
+    rng = np.random.default_rng(500)
+    for n in range(58):
+        z = -190 + n * 6.6 + rng.normal(0, 2)
+        x = -64 - rng.gamma(1.2, 10) - .12 * abs(z)
+        tall = rng.uniform(4, 9)
+        for b in range(3):
+            centre = np.array((x + rng.normal(0, 1.2), rise(x, z) + tall * rng.uniform(.25, .55), z + rng.normal(0, 1.6)))
+            for _ in range(9):
+                d = unit(rng.normal(0, 1, 3))
+                u = unit(np.cross(d, rng.normal(0, 1, 3)))
+                size = tall * rng.uniform(.17, .28)
+                centres.append(centre + d * tall * .26)
+                ups.append(u * size)
+                rights.append(np.cross(u, d) * size)
+                normals.append(np.cross(rights[-1], u))
+    return [joined("trunks", trunks), cards("leaves", "leaves", centres, ups, rights, unit(np.array(normals)))]
+
+
+def tufts():
+    """Blades along the foot and the back of the wall, and at the kerb's far edge of the road."""
+    rng = np.random.default_rng(77)
+    centres, ups, rights, normals = [], [], [], []
+
+    def add(x, y, z, size, wide):
+        a = rng.uniform(-.7, .7) + (np.pi / 2 if rng.random() < .7 else 0)
+        r = np.array((np.cos(a), 0, np.sin(a))) * wide
+        u = np.array((rng.normal(0, .15), 1, rng.normal(0, .15))) * size / 2
+        centres.append(np.array((x, y + size / 2 - .01, z)))
+        ups.append(u)
+        rights.append(r)
+        normals.append(unit(np.cross(r, u)))
+
+    for _ in range(150):
+        add(WALL + rng.uniform(.015, .07), .105, rng.uniform(-16, 16), rng.uniform(.05, .16), rng.uniform(.05, .12))
+    for _ in range(420):
+        z = rng.uniform(-26, 26)
+        x = WALL - .38 - abs(rng.normal(0, .35))
+        add(x, rise(x, z), z, rng.uniform(.35, .95), rng.uniform(.25, .5))
+    return [cards("tufts", "blades", centres, ups, rights, normals)]
+
+
+def all_parts():
+    return surface() + wall() + ground() + [ridge("hills_near", 210, 20, 1), ridge("hills_far", 420, 62, 2)] + trees() + tufts()

@@ -1,0 +1,261 @@
+"""A dense surface that is cut along the zero lines of fields into regions, which become parts with turned-in edges."""
+
+import numpy as np
+
+from mesh import Part, face_normals, unit
+
+NEAR = 2.5e-4
+
+
+class Skin:
+    """`tags`: what each face belongs to (patch, row, column); `labels`: the region that it has been cut into."""
+
+    def __init__(self, points, faces, tags, parents, grandparents):
+        self.points, self.faces, self.tags = np.asarray(points, float), [list(f) for f in faces], list(tags)
+        self.parents = [(1, p) for p in parents]
+        self.above = dict(zip(parents, grandparents))
+        self.order = list(range(len(faces)))
+        self.labels = ["body"] * len(faces)
+        self.normals = None
+
+    def shade(self):
+        area = face_normals(self.points, self.faces)
+        normals = np.zeros_like(self.points)
+        for k, f in enumerate(self.faces):
+            normals[f] += area[k]
+        on_axis = np.abs(self.points[:, 0]) < 1e-6
+        normals[on_axis, 0] = 0
+        self.normals = unit(normals)
+
+    def split(self, field, choose, level=0.0):
+        """Cuts the faces that `choose(tag, label)` picks where the field has a value, and returns its values."""
+        values = field(self.points) - level
+        values[np.abs(values) < NEAR] = 0
+        values = list(values)
+        added, new_points, new_normals = {}, [], []
+
+        def between(a, b):
+            key = (a, b) if a < b else (b, a)
+            if key not in added:
+                t = values[a] / (values[a] - values[b])
+                added[key] = len(values)
+                values.append(0.0)
+                new_points.append(at(a) * (1 - t) + at(b) * t)
+                new_normals.append(unit(nm(a) * (1 - t) + nm(b) * t))
+            return added[key]
+
+        base = len(self.points)
+        at = lambda i: self.points[i] if i < base else new_points[i - base]
+        nm = lambda i: self.normals[i] if i < base else new_normals[i - base]
+
+        def expand(face, make):
+            out = []
+            for a, b in zip(face, face[1:] + face[:1]):
+                out.append(a)
+                key = (a, b) if a < b else (b, a)
+                if make and values[a] * values[b] < 0:
+                    out.append(between(a, b))
+                elif key in added:
+                    out.append(added[key])
+            return out
+
+        def pieces(face):
+            face = expand(face, True)
+            sign = [int(np.sign(values[v])) for v in face]
+            runs = [s for s in sign if s]
+            changes = sum(1 for a, b in zip(runs, runs[1:] + runs[:1]) if a != b)
+            if changes == 0:
+                return [face]
+            if changes == 2:
+                out = []
+                for s in (-1, 1):
+                    n = len(face)
+                    part = [face[i] for i in range(n) if sign[i] == s or (sign[i] == 0 and (sign[i - 1] == s or sign[(i + 1) % n] == s))]
+                    if len(part) >= 3:
+                        out.append(part)
+                return out
+            return [p for i in range(1, len(face) - 1) for p in pieces([face[0], face[i], face[i + 1]])]
+
+        chosen = [choose(t, l) for t, l in zip(self.tags, self.labels)]
+        work = []
+        for k, f in enumerate(self.faces):
+            v = [values[i] for i in f]
+            if chosen[k] and min(v) < 0 < max(v):
+                work.append((k, pieces(f)))
+        if work:
+            touched = set(i for key in added for i in key)
+            cut = dict(work)
+            faces, tags, labels, parents, order = [], [], [], [], []
+            for k, f in enumerate(self.faces):
+                if k in cut:
+                    rows = [expand(p, False) for p in cut[k]]
+                else:
+                    rows = [expand(f, False)] if sum(1 for i in f if i in touched) > 1 else [f]
+                for row in rows:
+                    faces.append(row)
+                    order.append(self.order[k])
+                    tags.append(self.tags[k])
+                    labels.append(self.labels[k])
+                    parents.append(self.parents[k] if k not in cut and row == f else None)
+            self.faces, self.tags, self.labels, self.parents, self.order = faces, tags, labels, parents, order
+            self.points = np.concatenate([self.points, new_points])
+            self.normals = np.concatenate([self.normals, new_normals])
+        return np.array(values)
+
+    def region(self, name, field, choose, level=0.0):
+        """Gives the chosen faces inside of the field's level line a new label."""
+        values = self.split(field, choose, level)
+        for k, f in enumerate(self.faces):
+            if choose(self.tags[k], self.labels[k]) and sum(values[i] for i in f) < 0:
+                self.labels[k] = name
+
+    def panel(self, name, field, choose, gap=0.0045, paint=("body",)):
+        """A panel with a gap around it."""
+        pick = lambda tag, label: label in paint and choose(tag, label)
+        self.region("gap", field, pick, gap / 2)
+        self.region(name, field, lambda tag, label: label == "gap" and choose(tag, label), -gap / 2)
+
+    def coarsen(self, choose=lambda tag: True):
+        """Joins the four children of a face again where none was cut, keeping the corners that others have. What
+        is left as it was can be joined later."""
+        groups = {}
+        for k, p in enumerate(self.parents):
+            if p is not None:
+                groups.setdefault(p, []).append(k)
+        whole = {}
+        for p, ks in groups.items():
+            ks.sort(key=lambda k: self.order[k])
+            if len(ks) == 4 and len({self.labels[k] for k in ks}) == 1 and all(len(self.faces[k]) == 4 for k in ks) and choose(self.tags[ks[0]]):
+                if p[0] == 1 or self.flat([self.faces[k] for k in ks]):
+                    whole[p] = ks
+        joined = {k for ks in whole.values() for k in ks}
+        used = {v for k, f in enumerate(self.faces) if k not in joined for v in f}
+        times = {}
+        for k, f in enumerate(self.faces):
+            for v in f:
+                times[v] = times.get(v, 0) + 1
+        faces, tags, labels, parents, order = [], [], [], [], []
+        for k, f in enumerate(self.faces):
+            if k not in joined:
+                order.append(self.order[k])
+                faces.append(f)
+                tags.append(self.tags[k])
+                labels.append(self.labels[k])
+                parents.append(self.parents[k])
+        for (level, parent), ks in whole.items():
+            row = []
+            for k in ks:
+                corner, middle = self.faces[k][0], self.faces[k][1]
+                row.append(corner)
+                if middle in used or times[middle] < 4:
+                    row.append(middle)
+            faces.append(row)
+            tags.append(self.tags[ks[0]])
+            labels.append(self.labels[ks[0]])
+            parents.append((2, self.above[parent]) if level == 1 else None)
+            order.append(parent)
+        self.order = order
+        self.faces, self.tags, self.labels, self.parents = faces, tags, labels, parents
+
+    def weld(self, shorter=.0075):
+        """Collapses short edges, towards the corner where more regions meet, so that no line between regions moves."""
+        around, sides = {}, {}
+        for f, l in zip(self.faces, self.labels):
+            for a, b in zip(f, f[1:] + f[:1]):
+                around.setdefault(a, set()).add(l)
+                sides.setdefault((min(a, b), max(a, b)), []).append(l)
+        goal, busy = {}, set()
+        for (a, b), labels in sides.items():
+            if a in busy or b in busy or np.linalg.norm(self.points[a] - self.points[b]) > shorter:
+                continue
+            if len(labels) < 2 or (self.points[a, 0] == 0) != (self.points[b, 0] == 0):
+                continue
+            m, n = len(around[a]), len(around[b])
+            if m == n and m > 1 and len(set(labels)) < 2:
+                continue
+            keep, drop = (a, b) if m >= n else (b, a)
+            goal[drop] = keep
+            for f in (a, b):
+                busy.add(f)
+        rows = []
+        for f in self.faces:
+            g = [goal.get(v, v) for v in f]
+            rows.append([v for i, v in enumerate(g) if v != g[i - 1]])
+        good = [k for k, f in enumerate(rows) if len(f) > 2 and len(set(f)) == len(f)]
+        for name in ("labels", "tags", "parents", "order"):
+            setattr(self, name, [getattr(self, name)[k] for k in good])
+        self.faces = [rows[k] for k in good]
+
+    def flat(self, four, within=.0013):
+        """Whether the middles of the edges and the centre lie on the larger face."""
+        c = self.points[[f[0] for f in four]]
+        e = self.points[[f[1] for f in four]]
+        bent = np.abs(e - (c + np.roll(c, -1, 0)) / 2).max()
+        return bent < within and np.abs(self.points[four[0][2]] - c.mean(0)).max() < within
+
+    def faces_of(self, labels, pick=None):
+        return [f for f, l, t in zip(self.faces, self.labels, self.tags) if l in labels and (pick is None or pick(t))]
+
+    def part(self, name, material, labels, offset=0.0, fold=0.0, lip=0.0015, shift=None, pick=None, walls=False):
+        """The faces of some labels, moved along their normals by `offset` (a number, or a function of positions), with
+        edges turned in by `fold`; `shift(points, normals)` may move them anywhere. With `walls`, there is nothing but
+        the edges, seen from inside."""
+        faces = self.faces_of(labels, pick)
+        index = {}
+        for f in faces:
+            for v in f:
+                index.setdefault(v, len(index))
+        ids = list(index)
+        n = self.normals[ids]
+        p = self.points[ids]
+        off = offset(p) if callable(offset) else offset
+        p = p + n * np.reshape(off, (-1, 1) if np.ndim(off) else (1, 1))
+        if shift is not None:
+            p = shift(p, n)
+        faces = [[index[v] for v in f] for f in faces]
+        if not fold:
+            return Part(name, material, p, faces, n)
+        extra = folded(p, n, faces, fold, lip)
+        if walls:
+            return Part(name, material, np.concatenate([p, extra[0]]), extra[1], np.concatenate([n, extra[2]]), extra[3]).flipped()
+        return Part(name, material, np.concatenate([p, extra[0]]), faces + extra[1],
+                    np.concatenate([n, extra[2]]), faces + extra[3])
+
+
+def rim(points, faces):
+    """Directed edges with a face on one side alone, those on x = 0 left out."""
+    seen = {(a, b) for f in faces for a, b in zip(f, f[1:] + f[:1])}
+    axis = np.abs(points[:, 0]) < 1e-6
+    return [(a, b) for a, b in seen if (b, a) not in seen and not (axis[a] and axis[b])]
+
+
+def folded(points, normals, faces, depth, lip):
+    """A rounded edge of radius `lip` and a wall of `depth` along the rim. Points, faces, normals, normal corners."""
+    edges = sorted(rim(points, faces))
+    out = {}
+    for a, b in edges:
+        for v in (a, b):
+            d = np.cross(points[b] - points[a], normals[v])
+            out[v] = out.get(v, 0) + d
+    ids = sorted(out)
+    n = normals[ids]
+    d = np.array([out[v] for v in ids])
+    d = unit(d - n * (d * n).sum(1, keepdims=True))
+    axis = np.abs(points[ids, 0]) < 1e-6
+    d[axis, 0] = 0
+    d = unit(d)
+    base = points[ids]
+    rings = [base + d * lip - n * lip, base + d * lip - n * (lip + depth)]
+    ring_normals = [d, d]
+    where = {v: k for k, v in enumerate(ids)}
+    m, count, total = len(ids), len(points), len(normals)
+    new_faces, corners = [], []
+    for a, b in edges:
+        i, j = where[a], where[b]
+        for r in range(2):
+            upper = (a, b) if r == 0 else (count + (r - 1) * m + i, count + (r - 1) * m + j)
+            upper_n = (a, b) if r == 0 else (total + (r - 1) * m + i, total + (r - 1) * m + j)
+            lower = (count + r * m + i, count + r * m + j)
+            new_faces.append([upper[1], upper[0], lower[0], lower[1]])
+            corners.append([upper_n[1], upper_n[0], total + r * m + i, total + r * m + j])
+    return np.concatenate(rings), new_faces, np.concatenate(ring_normals), corners

@@ -1,0 +1,186 @@
+"""The textures: all are drawn here, from seeded noise. Colours are those of bytes (sRGB)."""
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFilter, ImageFont
+
+
+def noise(size, octaves, seed, stretch=(1, 1)):
+    """Smooth noise that repeats, 0 to 1: `octaves` of (cells across, weight)."""
+    rng = np.random.default_rng(seed)
+    out = np.zeros((size, size))
+    total = 0
+    for cells, weight in octaves:
+        cy, cx = int(cells * stretch[1]), int(cells * stretch[0])
+        g = rng.random((cy, cx))
+        y, x = np.arange(size) * cy / size, np.arange(size) * cx / size
+        iy, ix = y.astype(int), x.astype(int)
+        fy, fx = y - iy, x - ix
+        fy, fx = (fy * fy * (3 - 2 * fy))[:, None], (fx * fx * (3 - 2 * fx))[None]
+        a, b = g[iy % cy][:, ix % cx], g[iy % cy][:, (ix + 1) % cx]
+        c, d = g[(iy + 1) % cy][:, ix % cx], g[(iy + 1) % cy][:, (ix + 1) % cx]
+        out += weight * ((a * (1 - fx) + b * fx) * (1 - fy) + (c * (1 - fx) + d * fx) * fy)
+        total += weight
+    return out / total
+
+
+def image(values):
+    return Image.fromarray(np.clip(np.round(values), 0, 255).astype(np.uint8))
+
+
+def tinted(value, low, high):
+    return value[..., None] * (np.array(high) - np.array(low)) + np.array(low)
+
+
+def dots(size, count, seed, radii, values):
+    """Round grains, one over another, that repeat."""
+    rng = np.random.default_rng(seed)
+    picture = Image.new("L", (size, size), 110)
+    draw = ImageDraw.Draw(picture)
+    for _ in range(count):
+        x, y, r, v = rng.random() * size, rng.random() * size, rng.uniform(*radii), int(rng.uniform(*values))
+        for dx in (-size, 0, size):
+            for dy in (-size, 0, size):
+                if -r < x + dx < size + r and -r < y + dy < size + r:
+                    draw.ellipse((x + dx - r, y + dy - r * .8, x + dx + r, y + dy + r * .8), fill=v)
+    return np.asarray(picture.filter(ImageFilter.GaussianBlur(.6)), float)
+
+
+def cracks(size, seed):
+    """A few thin wandering lines, 0 to 1."""
+    rng = np.random.default_rng(seed)
+    picture = Image.new("L", (size, size), 0)
+    draw = ImageDraw.Draw(picture)
+    for _ in range(4):
+        x, y, a = rng.random() * size, rng.random() * size, rng.random() * 6.28
+        for _ in range(int(rng.uniform(40, 110))):
+            a += rng.normal(0, .45)
+            u, v = x + 7 * np.cos(a), y + 7 * np.sin(a)
+            for dx in (-size, 0, size):
+                for dy in (-size, 0, size):
+                    draw.line((x + dx, y + dy, u + dx, v + dy), fill=int(rng.uniform(150, 255)), width=1 + int(rng.random() < .3))
+            x, y = u % size, v % size
+    return np.asarray(picture.filter(ImageFilter.GaussianBlur(.7)), float) / 255
+
+
+def asphalt(folder):
+    size = 1024
+    grain = dots(size, 26000, 1, (1.6, 4.6), (70, 165))
+    patch = noise(size, ((3, 1), (7, .6), (17, .4)), 2)
+    crack = cracks(size, 3)
+    fine = noise(size, ((256, 1), (512, 1)), 4)
+    value = 86 + (grain - 110) * .42 + (patch - .5) * 26 + (fine - .5) * 22 - crack * 55
+    image(value[..., None] * (1, .985, .96) + (3, 3, 4)).save(folder / "asphalt.jpg", quality=84)
+    height = 120 + (grain - 110) * 1.3 + (fine - .5) * 40 - crack * 110
+    image(height).save(folder / "asphalt-bump.jpg", quality=80)
+    worn = np.clip((noise(512, ((24, 1), (60, 1), (128, 1)), 5) - .36) * 7, 0, 1)
+    grain = grain[:512, :512]
+    image(tinted(worn, (92, 90, 88), (226, 225, 218)) + (grain[..., None] - 110) * .12).save(folder / "marking.jpg", quality=82)
+
+
+def concrete(folder):
+    base = noise(512, ((4, 1), (9, .8), (30, .5), (120, .6)), 10)
+    pits = dots(512, 500, 11, (.6, 2.2), (40, 90))
+    value = base + np.minimum(pits - 108, 0) / 400
+    image(tinted(value, (128, 124, 116), (205, 201, 192))).save(folder / "concrete.jpg", quality=82)
+    base = noise(512, ((3, 1), (8, 1), (25, .8), (80, .7), (200, .5)), 12)
+    warm = noise(512, ((2, 1), (5, 1)), 13)
+    stone = tinted(base, (104, 97, 86), (206, 196, 178)) + (warm[..., None] - .5) * (22, 6, -22)
+    image(stone).save(folder / "stone.jpg", quality=84)
+    value = noise(512, ((6, 1), (16, .8), (90, 1), (220, .8)), 14)
+    picture = tinted(value, (138, 132, 124), (196, 190, 180))
+    y, x = np.mgrid[0:512, 0:512]
+    row = y // 128
+    joint = np.minimum(np.minimum(y % 128, 128 - y % 128), np.minimum((x + row % 2 * 64) % 128, 128 - (x + row % 2 * 64) % 128))
+    rng = np.random.default_rng(15)
+    shade = rng.uniform(-12, 12, (4, 5))[row, ((x + row % 2 * 64) // 128)]
+    picture += shade[..., None]
+    image(np.where((joint < 2)[..., None], 70, picture)).save(folder / "paving.jpg", quality=84)
+
+
+def plants(folder):
+    value = noise(1024, ((6, 1), (16, .8), (60, .8), (200, 1), (400, 1.2)), 20)
+    dry = np.clip(noise(1024, ((5, 1), (13, 1), (40, .6)), 21)[..., None] * 2.4 - .8, 0, 1)
+    image(tinted(value, (34, 50, 16), (112, 130, 58)) * (1 - .5 * dry) + .5 * dry * (146, 134, 78)).save(folder / "grass.jpg", quality=76)
+    rng = np.random.default_rng(22)
+    picture = Image.new("RGBA", (512, 256), (84, 100, 44, 0))
+    draw = ImageDraw.Draw(picture)
+    for _ in range(110):
+        x, lean, high, w = rng.uniform(20, 492), rng.normal(0, 34), rng.uniform(90, 245), rng.uniform(2.5, 5)
+        g = rng.uniform(.7, 1.25)
+        colour = (int(88 * g), int(108 * g), int(46 * g), 255)
+        draw.polygon([(x - w, 256), (x + w, 256), (x + w * .6 + lean * .4, 256 - high * .6), (x + lean, 256 - high), (x - w * .6 + lean * .4, 256 - high * .6)], fill=colour)
+    picture.save(folder / "blades.png", optimize=True)
+    picture = Image.new("RGBA", (256, 256), (62, 84, 34, 0))
+    draw = ImageDraw.Draw(picture)
+    for _ in range(130):
+        a, r = rng.random() * 6.28, 118 * np.sqrt(rng.random())
+        x, y, t, s = 128 + r * np.cos(a), 128 + r * np.sin(a), rng.random() * 6.28, rng.uniform(8, 15)
+        g = rng.uniform(.65, 1.3)
+        leaf = [(s * np.cos(u) * 1.25, s * np.sin(u) * .55) for u in np.linspace(0, 6.28, 9)[:-1]]
+        draw.polygon([(x + p * np.cos(t) - q * np.sin(t), y + p * np.sin(t) + q * np.cos(t)) for p, q in leaf], fill=(int(70 * g), int(96 * g), int(38 * g), 255))
+    picture.save(folder / "leaves.png", optimize=True)
+    fields = noise(512, ((5, 1), (11, .6)), 24, (1, 2))
+    woods = np.clip((noise(512, ((7, 1), (18, .7), (50, .35)), 25, (1, 1.6)) - .52) * 9, 0, 1)[..., None]
+    leaf = noise(512, ((90, 1), (180, 1)), 26)
+    land = tinted(fields, (104, 116, 78), (150, 150, 104)) * (1 - woods) + woods * tinted(leaf, (56, 74, 54), (92, 106, 80))
+    up = np.linspace(1, 0, 512)[:, None, None]
+    image(land * (.80 - .15 * up) + (.20 + .15 * up) * np.array((150, 166, 184))).save(folder / "hills.jpg", quality=80)
+
+
+def car(folder):
+    y, x = np.mgrid[0:128, 0:128]
+    weave = ((x // 16 + y // 16) // 2) % 2
+    across = np.where(weave == 0, np.sin(x * np.pi / 16) ** 2, np.sin(y * np.pi / 16) ** 2)
+    image(tinted(.25 + .75 * across * np.where(weave, .6, 1), (18, 18, 19), (62, 62, 64))).save(folder / "carbon.png", optimize=True)
+    size = 256
+    y, x = np.mgrid[0:size, 0:size] / size
+    # Hexagons: two columns and rows repeat in a square that is stretched by the root of 3 in use.
+    u, v = x * 4, y * 4
+    a = np.hypot((u % 1 - .5), (v % 1 - .5) * 1.0)
+    b = np.hypot(((u + .5) % 1 - .5), ((v + .5) % 1 - .5) * 1.0)
+    hole = np.minimum(a, b) < .29
+    image(np.where(hole, 0, 255)).resize((128, 128), Image.LANCZOS).save(folder / "mesh.png", optimize=True)
+    grain = noise(512, ((40, 1), (90, 1), (170, .8)), 30)
+    image(tinted(grain, (206, 150, 96), (236, 184, 128))).resize((256, 256)).save(folder / "leather.png", optimize=True)
+    disc(folder)
+    signs(folder)
+
+
+def disc(folder):
+    size = 512
+    y, x = (np.mgrid[0:size, 0:size] + .5) / size * 2 - 1
+    r, a = np.hypot(x, y), np.arctan2(y, x)
+    rings = noise(size, ((128, 1),), 32)[0][np.clip((r * 300).astype(int), 0, size - 1)]
+    value = 168 + 46 * (rings - .5)
+    for k in range(60):
+        turn, radius = k * 2 * np.pi / 60, .60 + .33 * ((k * 7) % 5) / 4
+        value = np.where(np.hypot(x - radius * np.cos(turn + radius * .7), y - radius * np.sin(turn + radius * .7)) < .020, 22, value)
+    image(value).save(folder / "disc.png", optimize=True)
+
+
+def signs(folder):
+    picture = Image.new("RGB", (1060, 240), (236, 236, 230))
+    draw = ImageDraw.Draw(picture)
+    draw.rounded_rectangle((8, 8, 1052, 232), 26, outline=(20, 20, 24), width=7)
+    font = ImageFont.load_default(size=190)
+    draw.text((530, 116), "LU 2K 26", font=font, fill=(20, 20, 26), anchor="mm", stroke_width=4, stroke_fill=(20, 20, 26))
+    picture.resize((530, 120), Image.LANCZOS).save(folder / "plate.png", optimize=True)
+    picture = Image.new("RGB", (512, 256), (6, 9, 14))
+    draw = ImageDraw.Draw(picture)
+    draw.arc((30, 30, 226, 226), 130, 410, fill=(230, 120, 30), width=10)
+    draw.arc((50, 50, 206, 206), 130, 330, fill=(90, 160, 210), width=4)
+    draw.text((128, 128), "0", font=ImageFont.load_default(size=72), fill=(240, 240, 240), anchor="mm")
+    draw.rectangle((270, 40, 490, 150), fill=(20, 34, 48))
+    draw.line([(280, 140), (320, 100), (350, 120), (400, 70), (480, 60)], fill=(240, 150, 60), width=6)
+    for k, text in enumerate(("21.5 C", "P", "12:40")):
+        draw.text((300 + k * 76, 200), text, font=ImageFont.load_default(size=26), fill=(200, 210, 220), anchor="mm")
+    picture.save(folder / "screen.png", optimize=True)
+
+
+def write(folder):
+    folder.mkdir(exist_ok=True)
+    asphalt(folder)
+    concrete(folder)
+    plants(folder)
+    car(folder)
+    print("textures: %.2f MB" % (sum(f.stat().st_size for f in folder.iterdir()) / 1e6))

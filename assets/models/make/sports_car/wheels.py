@@ -1,0 +1,131 @@
+"""Wheels: tyres with grooves, ten-spoke rims in five pairs, discs, calipers, hubs. The outside is at +x, the hub at 0."""
+
+import numpy as np
+
+from mesh import joined, smooth, unit
+from shapes import box, disk, lathe, oriented, plate, sweep, tube, turned
+
+# Half of the width, radius of the tyre, radius of the rim's edge.
+FRONT_WHEEL = (.1225, .327, .2475)
+REAR_WHEEL = (.1525, .3455, .260)
+
+
+def tyre(half, radius, rim):
+    """Outer sidewall to inner sidewall over the tread. Four grooves round it, and slots across the shoulders."""
+    h, r = half, radius
+    side = [(h - .018, rim - .008), (h - .006, rim - .002), (h - .004, rim + .006), (h + .002, rim + .014), (h + .006, rim + .030),
+            (h + .007, rim + .045), (h + .004, r - .026), (h - .003, r - .014), (h - .012, r - .0065), (h - .024, r - .0025)]
+    tread = []
+    for k, g in enumerate((.42, .14)):
+        x = h * g * 1.25
+        w, deep = .0048, .0075
+        tread += [(x + w, r - .0008 * (1 - k)), (x + w - .001, r - deep), (x - w + .001, r - deep), (x - w, r)]
+    outer = side + tread
+    profile = outer + [(-x, y) for x, y in tread[::-1] + side[9:5:-1] + side[4::-2]]
+    pitch = 21
+
+    def slots(x, rr, turn):
+        phase = (turn * pitch / (2 * np.pi) + np.abs(x) * 9) % 1
+        shoulder = (np.abs(x) > h * .60) & (np.abs(x) < h - .004) & (rr > r - .02)
+        rib = (np.abs(np.abs(x) - h * .34) < h * .14) & (rr > r - .003)
+        return x, rr - np.where(shoulder & (phase < .24), .0055, 0) - np.where(rib & (phase < .24), .0035, 0)
+
+    return oriented(lathe("tyre", "tyre", profile, pitch * 4, 32, bend=slots))
+
+
+def barrel(half, rim):
+    """The dish: lip, step and bed of the rim, outside and inside, one closed turn."""
+    h, r = half, rim
+    profile = [(h - .004, r + .001), (h - .001, r - .002), (h - .002, r - .007), (h - .008, r - .010), (h - .020, r - .012), (h - .030, r - .020), (h - .055, r - .026),
+               (-h + .03, r - .030), (-h + .006, r - .012), (-h + .001, r - .006), (-h + .002, r), (-h + .010, r - .001), (-h + .022, r - .014), (-h + .05, r - .022),
+               (h - .05, r - .018), (h - .022, r - .006), (h - .012, r)]
+    return oriented(lathe("rim", "rim", profile, 54, 40, closed=True))
+
+
+def spokes(half, rim):
+    """Five pairs of spokes, each a bent bar of trapezoid section, from the hub out to the barrel."""
+    out = []
+    edge = half - .018
+    reach = rim - .014
+    for k in range(5):
+        for s in (-1, 1):
+            path, sections = [], []
+            for t in np.linspace(0, 1, 7):
+                r = .045 + (reach - .045) * t
+                spread = s * (.012 + .036 * t ** 1.15)
+                x = edge - .040 + .034 * t ** .8 - .008 * np.sin(np.pi * t)
+                w = .0125 - .0045 * np.sin(np.pi * t * .8) + .004 * t ** 4
+                d = .017 - .004 * t + .006 * t ** 6
+                path.append((x, r, spread))
+                sections.append([(-w, 0), (-w * .55, d * .42), (w * .55, d * .42), (w, 0), (w * .8, -d * 1.3), (-w * .8, -d * 1.3)])
+            out.append(bar(path, sections).moved(turned(0, 72 * k)))
+    return joined("spokes", out)
+
+
+def bar(path, sections):
+    """A bar along +y: sections as (across z, along x)."""
+    m = len(sections[0])
+    points = [(p[0] + s[1], p[1], p[2] + s[0]) for p, section in zip(path, sections) for s in section]
+    n = len(path)
+    faces = [[i * m + j, (i + 1) * m + j, (i + 1) * m + (j + 1) % m, i * m + (j + 1) % m] for i in range(n - 1) for j in range(m)]
+    faces += [list(range(m)), [(n - 1) * m + j for j in range(m)][::-1]]
+    return oriented(smooth("spoke", "rim", points, faces, 40))
+
+
+def hub(half):
+    x = half - .018
+    centre = lathe("hub", "rim", [(x - .075, .062), (x - .040, .068), (x - .026, .066), (x - .020, .058), (x - .019, .036), (x - .022, .034), (x - .022, 0)], 32, 35)
+    cap = lathe("cap", "gloss_black", [(x - .022, .0325), (x - .017, .031), (x - .0155, .026), (x - .0145, 0)], 32, 30)
+    nuts = []
+    for k in range(5):
+        nut = lathe("nut", "chrome", [(x - .026, .0095), (x - .014, .0095), (x - .012, .007), (x - .012, 0)], 6, 30)
+        nuts.append(nut.moved(turned(0, 72 * k + 36) , turned(0, 72 * k + 36) @ (0, .050, 0)))
+    return [oriented(centre), oriented(cap), oriented(joined("nuts", nuts))]
+
+
+def brake(half, rim, big):
+    """A vented disc with holes drawn by slots, its bell, and a caliper at the back of the wheel."""
+    x = half - .105
+    r = rim - .060
+    disc = lathe("disc", "disc", [(x - .016, .105), (x - .016, r), (x - .006, r), (x - .006, r - .012), (x + .006, r - .012), (x + .006, r), (x + .016, r), (x + .016, .105)], 54, 30,
+                 uv=(1, 1), closed=True)
+    # A coordinate plane across the disc carries its drilled pattern.
+    disc.uvs = disc.points[:, 1:] / (2 * r) + .5
+    disc.uv_corners = disc.faces
+    bell = lathe("bell", "trim_black", [(x + .004, .104), (x + .030, .100), (x + .034, .090), (x + .036, 0)], 32, 35)
+    out = [oriented(disc), oriented(bell)]
+    arc = np.linspace(-26, 26, 9) if big else np.linspace(-22, 22, 8)
+    body = []
+    for a in np.radians(arc):
+        f = 1 - .10 * (abs(a) / np.radians(26)) ** 4
+        mid, deep, w = r - .022, .044 * f, .038 * f
+        ring = [(-w, -deep), (w, -deep), (w + .006, -deep * .3), (w + .002, deep * .62), (w * .5, deep * .8), (-w * .5, deep * .8), (-w - .004, deep * .6), (-w - .004, -deep * .3)]
+        body.append([(x + u, (mid + v) * np.cos(a), (mid + v) * np.sin(a)) for u, v in ring])
+    n, m = len(body), len(body[0])
+    faces = [[i * m + j, (i + 1) * m + j, (i + 1) * m + (j + 1) % m, i * m + (j + 1) % m] for i in range(n - 1) for j in range(m)]
+    faces += [list(range(m)), [(n - 1) * m + j for j in range(m)][::-1]]
+    caliper = oriented(smooth("caliper", "caliper", np.array(body).reshape(-1, 3), faces, 30))
+    return out, caliper
+
+
+def wheel(kind, name, at, side, steer=0.0):
+    """All parts of a wheel; `side` 1 is the left."""
+    half, radius, rim = kind
+    still, caliper = brake(half, rim, kind is FRONT_WHEEL)
+    caliper = caliper.moved(turned(0, -62 if kind is FRONT_WHEEL else 62))
+    turn = turned(0, 11.0 * (1 + at[2]))
+    rolling = [tyre(*kind), barrel(half, rim), spokes(half, rim)] + hub(half)
+    parts = [p.moved(turn) for p in rolling] + still + [caliper]
+    out = []
+    for part in parts:
+        part = part if side > 0 else part.mirrored()
+        out.append(part.moved(turned(1, steer), at, name + "_" + part.name))
+    return out
+
+
+def wheels():
+    out = []
+    for side, word in ((1, "left"), (-1, "right")):
+        out += wheel(FRONT_WHEEL, "front_" + word, (side * .868, .327, 1.325), side)
+        out += wheel(REAR_WHEEL, "rear_" + word, (side * .850, .3455, -1.325), side)
+    return out
