@@ -137,15 +137,14 @@ fn the_lattice_is_uniform_over_pixels_and_spread_within_one() {
         assert!(points.iter().all(|[four, two]| [four.x, four.y, four.x] == [two.x, two.y, two.z]));
     }
     // Within a pixel its samples are spread: a mean of 256 has less than half the variance of that of independent ones.
-    let variance = |draw: &dyn Fn(&[(SampleKey, u32)]) -> Vec<[f64; 4]>| {
-        let keys = |pixel| (0..256).map(move |index| (SampleKey { pixel, index, half: 0, seed: 1 }, 4));
-        let points = draw(&(0..64).flat_map(keys).collect::<Vec<_>>());
+    let keys = |pixel| (0..256).map(move |index| (SampleKey { pixel, index, half: 0, seed: 1 }, 4));
+    let keys: Vec<_> = (0..64).flat_map(keys).collect();
+    let variance = |points: Vec<[f64; 4]>| {
         let means = points.chunks_exact(256).map(|of| of.iter().map(|u| smooth(u, 1.0)).sum::<f64>() / 256.0);
         means.map(|mean| (mean - 1.0) * (mean - 1.0)).sum::<f64>() / 64.0
     };
-    let spread = variance(&|keys| lattice(keys).into_iter().map(|[four, _]| four.to_array()).collect());
-    let independent =
-        variance(&|keys| keys.iter().map(|(key, d)| Source::Pcg.sample_4d(*key, *d).to_array()).collect());
+    let spread = variance(lattice(&keys).into_iter().map(|[four, _]| four.to_array()).collect());
+    let independent = variance(keys.iter().map(|(key, d)| Source::Pcg.sample_4d(*key, *d).to_array()).collect());
     assert!(spread < independent / 2.0, "{spread} against {independent}");
 }
 
