@@ -3,7 +3,7 @@
 import numpy as np
 
 from build import finish, turn
-from shapes import Shape, curve, lathe, tube
+from shapes import curve, lathe, tube
 from table import TOP
 
 

@@ -1,7 +1,5 @@
 """Two framed pictures on the back wall."""
 
-import numpy as np
-
 from build import finish, grain, turn
 from room import BACK
 from shapes import Shape, moulding

@@ -5,7 +5,7 @@ import numpy as np
 from build import finish, turn
 from noise import at_height
 from room import BACK
-from shapes import Shape, curve, lathe, sheet, tube
+from shapes import curve, lathe, sheet, tube
 from shelf import HEIGHT as CASE, POT, vase
 from sideboard import TOP as BOARD
 

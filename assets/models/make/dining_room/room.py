@@ -3,7 +3,7 @@
 import numpy as np
 
 from build import finish, turn
-from shapes import Shape, block, box, lathe, moulding, slab
+from shapes import Shape, block, lathe, moulding
 
 LEFT, RIGHT, BACK, FRONT, HEIGHT = -2.5, 2.5, -1.9, 4.0, 2.6
 RAIL = 0.93

@@ -1,7 +1,5 @@
 """A bookcase against the back wall with books upright, leaning, lying and shown from the front, and things between."""
 
-import numpy as np
-
 from books import Books, size
 from build import finish, grain, turn
 from room import BACK

@@ -3,7 +3,7 @@
 import numpy as np
 
 from build import finish, turn
-from shapes import Shape, block, curve, lathe, ring, sheet, sweep, tube
+from shapes import curve, lathe, sheet, sweep, tube
 from table import TOP
 
 

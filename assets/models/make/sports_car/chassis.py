@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from mesh import Part, joined, smooth, unit
+from mesh import joined, smooth, unit
 from panels import ARCHES
-from shapes import box, disk, lathe, oriented, plate, soft_loft, sweep, tube, turned
+from shapes import disk, lathe, oriented, plate, soft_loft, sweep, tube, turned
 from shell import both, pair, planar
 
 
@@ -41,17 +41,17 @@ def floor():
     return [plate("floor", "underbody", outline, .112, .122)]
 
 
-def lower_edge(skin, low, high, axis_limit):
+def lower_edge(skin, low, high, height):
     """Corners of the body's open lower edge, between two z."""
     from skin import rim
     ids = {v for e in rim(skin.points, skin.faces) for v in e}
     p = skin.points[sorted(ids)]
-    keep = (p[:, 1] < axis_limit) & (p[:, 2] > low) & (p[:, 2] < high)
+    keep = (p[:, 1] < height) & (p[:, 2] > low) & (p[:, 2] < high)
     return p[keep]
 
 
 def splitter(skin):
-    """A blade of carbon under the front bumper, and lips at the rear of the sills."""
+    """A blade of carbon under the front bumper."""
     p = lower_edge(skin, 1.72, 3, .13)
     p = p[np.argsort(p[:, 0])][:, [0, 2]]
     keep = [p[0]]
@@ -65,7 +65,6 @@ def splitter(skin):
     grow = np.interp(p[:, 0], [0, .5, .88, .95], [.040, .035, .018, .006])[:, None]
     outer = p + out * grow
     inner = p - out * .05
-    half = np.concatenate([outer, inner[::-1]])
     outline = np.concatenate([outer, inner[::-1], (inner * (-1, 1))[1:], (outer * (-1, 1))[::-1][:-1]])
     blade = plate("splitter", "carbon", outline, .100, .114)
     return [planar(blade, (0, 2), 30)]
@@ -107,8 +106,7 @@ def mirrors():
         c, s = np.cos(turn), np.sin(turn)
         u = np.sign(c) * np.abs(c) ** .6 * w
         v = np.sign(s) * np.abs(s) ** .6 * h * (1 + .16 * c)
-        rings.append(np.stack([.985 + u - .035 * t, .912 + v - .012 * t, .485 + .125 * t - .10 * (u + .1) * (t < .1) * 0], 1))
-    rings[0] = rings[0] + (0, 0, .002)
+        rings.append(np.stack([.985 + u - .035 * t, .912 + v - .012 * t, .485 + .125 * t + 0 * u], 1))
     shell = soft_loft("mirror", "paint", rings, 2)
     turn = np.arange(24) * 2 * np.pi / 24
     c, s = np.cos(turn), np.sin(turn)
@@ -140,7 +138,7 @@ def on_surface(skin, x, z, lift):
 def wipers(skin):
     """Two arms with blades at rest along the foot of the windscreen."""
     parts = []
-    for pivot, tip, bend in (((.30, .925), (-.10, .862), .02), ((-.16, .945), (-.475, .765), .02)):
+    for pivot, tip in (((.30, .925), (-.10, .862)), ((-.16, .945), (-.475, .765))):
         arm = [on_surface(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t, .020 + .012 * np.sin(np.pi * t)) for t in np.linspace(0, .62, 6)]
         blade = [on_surface(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t - .004, .010) for t in np.linspace(.12, 1.12, 14)]
         rubber = [b - np.array((0, .004, 0)) for b in blade]

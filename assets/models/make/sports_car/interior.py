@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from mesh import Part, joined, smooth, unit
-from shapes import box, disk, lathe, oriented, plate, soft_loft, sweep, tube, turned
+from mesh import Part, joined, unit
+from shapes import box, lathe, oriented, plate, soft_loft, sweep, tube, turned
 
 # Path of a seat's middle: y, z, width, how deep the bolsters are.
 SEAT = ((.245, .235, .78, .3), (.278, .10, .98, .9), (.262, -.05, 1.0, 1.0), (.262, -.17, 1.0, .9), (.315, -.275, 1.0, .9), (.42, -.325, 1.0, 1.1),
@@ -28,9 +28,6 @@ def seat(x, word):
     shell = soft_loft("seat", "leather_dark", along(SEAT, SECTION), 2)
     insert = soft_loft("seat_insert", "leather", along(SEAT[2:9], INSERT, False), 2)
     strip = soft_loft("head_insert", "leather", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 2)
-    stitch = []
-    for u in (-.055, .055):
-        line = [(u, y + .027 * 0, z) for y, z in ()]
     belt_path = [(.19, .80, -.50), (.17, .775, -.432), (.15, .66, -.365), (.10, .52, -.312), (-.02, .37, -.245), (-.16, .325, -.20), (-.215, .30, -.20)]
     belt = sweep("belt", "belt", belt_path, [(-.0015, -.022), (.0015, -.022), (.0015, .022), (-.0015, .022)], 30)
     side = 1 if x > 0 else -1
@@ -70,13 +67,12 @@ def steering():
     ring = np.stack([r * np.cos(a), r * np.sin(a), 0 * a], 1)
     parts = [oriented(tube("steering_ring", "leather_dark", ring, .0145, 10, closed=True))]
     for angle in (0, 180, 270):
-        spoke = box("steering_spokes", "trim_black", (.10, 0, .004), (.13, .030, .010), .004, turn=None)
+        spoke = box("steering_spokes", "trim_black", (.10, 0, .004), (.13, .030, .010), .004)
         parts.append(spoke.moved(turned(2, angle)))
     boss = lathe("steering_boss", "trim_black", [(.03, .052), (-.004, .056), (-.014, .048), (-.018, 0)], 28, 30)
     parts.append(oriented(boss).moved(np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]], float)))
     mark = box("steering_mark", "caliper", (0, .172, 0), (.016, .030, .030), .006)
     column = tube("steering_column", "trim_black", [(0, 0, .02), (0, 0, .22)], .035, 16)
-    stalks = [box("paddles", "carbon", (x, .02, .03), (.05, .10, .005), .002) for x in (-.095, .095)]
     tilt = turned(0, 22)
     groups = [parts[0], joined("steering_spokes", parts[1:5]), mark, oriented(column)]
     return [oriented(p).moved(tilt, (.36, .600, .285)) for p in groups]

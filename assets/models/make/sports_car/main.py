@@ -1,6 +1,6 @@
 """Writes ../../sports-car.obj, .mtl, sports-car-road.obj, .mtl and their textures: `python3 make/sports_car/main.py`.
 
-It needs numpy, Pillow and Blender's module bpy (for the road's trees). The same files come out every time.
+It needs numpy and Pillow. The same files come out every time.
 """
 
 import sys

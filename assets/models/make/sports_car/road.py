@@ -3,7 +3,7 @@
 import numpy as np
 
 from mesh import Part, joined, smooth, unit
-from shapes import box, oriented, sweep, disk
+from shapes import box, disk, sweep
 
 KERB, WALL = -1.72, -3.35
 

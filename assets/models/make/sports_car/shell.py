@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mesh import Part, joined
+from mesh import joined
 from panels import LOUVRES
 from shapes import box
 

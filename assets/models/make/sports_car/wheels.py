@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from mesh import joined, smooth, unit
-from shapes import box, disk, lathe, oriented, plate, sweep, tube, turned
+from mesh import joined, smooth
+from shapes import lathe, oriented, turned
 
 # Half of the width, radius of the tyre, radius of the rim's edge.
 FRONT_WHEEL = (.1225, .327, .2475)
@@ -84,7 +84,7 @@ def hub(half):
 
 
 def brake(half, rim, big):
-    """A vented disc with holes drawn by slots, its bell, and a caliper at the back of the wheel."""
+    """A vented disc, whose holes are drawn, its bell, and a caliper."""
     x = half - .105
     r = rim - .060
     disc = lathe("disc", "disc", [(x - .016, .105), (x - .016, r), (x - .006, r), (x - .006, r - .012), (x + .006, r - .012), (x + .006, r), (x + .016, r), (x + .016, .105)], 54, 30,
