@@ -1,5 +1,7 @@
 //! Records of members of which nothing was traced.
 
+use std::path::Path;
+
 use super::record::{Record, State, Work};
 use super::survey::Subject;
 use crate::scene::variants::Member;
@@ -13,7 +15,7 @@ pub fn blank(subject: &Subject) -> Record {
 pub fn missing(member: &Member) -> Record {
     let mut settings: Vec<(String, String)> =
         member.defines.iter().map(|define| (define.path.clone(), define.value.clone())).collect();
-    settings.extend(member.scene.iter().map(|scene| ("scene".to_owned(), scene.display().to_string())));
+    settings.extend(member.scene.iter().map(|scene| ("scene".to_owned(), name_of(scene))));
     settings.extend(member.shaders.iter().map(|folder| ("shaders".to_owned(), folder.display().to_string())));
     settings.extend(member.values.iter().map(|(name, value)| (format!("shader.{name}"), value.clone())));
     Record {
@@ -31,4 +33,9 @@ pub fn missing(member: &Member) -> Record {
         work: Work::default(),
         repeat: String::new(),
     }
+}
+
+/// A file by its name alone.
+fn name_of(file: &Path) -> String {
+    file.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }

@@ -67,7 +67,7 @@ LIGHTS = [
     ("window_light", (2.9, 3.4, 4.0)),
 ]
 
-GLASS = "newmtl glass\nKd 0.05 0.05 0.05\nKs 0.9 0.9 0.9\nNs 1000\nNi 1.5\nTf 0.985 0.99 0.985\nillum 7\n"
+GLASS = "newmtl glass\nKd 0 0 0\nKs 0 0 0\nNs 1000\nNi 1.5\nTf 0.985 0.99 0.985\nillum 7\n"
 
 
 def colour(value):
