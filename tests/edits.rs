@@ -190,7 +190,13 @@ fn a_scene_far_from_zero_is_the_scene_at_zero() {
             textures: Default::default(),
             cameras: [(
                 "front".into(),
-                Camera { position: shift + DVec3::Z * 2.0, look_at: shift, up: DVec3::Y, fov_y: 50.0 },
+                Camera {
+                    position: shift + DVec3::Z * 2.0,
+                    look_at: shift,
+                    up: DVec3::Y,
+                    fov_y: 50.0,
+                    ..Camera::default()
+                },
             )]
             .into(),
             active: "front".into(),
@@ -220,7 +226,7 @@ fn two_quads() -> SceneDescription {
         textures: Default::default(),
         cameras: [(
             "front".into(),
-            Camera { position: DVec3::Z * 4.0, look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 50.0 },
+            Camera { position: DVec3::Z * 4.0, look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 50.0, ..Camera::default() },
         )]
         .into(),
         active: "front".into(),

@@ -57,7 +57,8 @@ impl Lamp {
 /// The mean radiance that leaves the point the camera sees, and its standard error.
 fn seen(room: &Room, layers: u32) -> (f64, f64) {
     let mut params = TraceParams { layers, max_depth: 2, ..room.params(UVec2::splat(16)) };
-    let view = Camera { position: DVec3::new(0.4, 0.5, 0.7), look_at: SEEN, up: DVec3::Y, fov_y: 1e-4 };
+    let view =
+        Camera { position: DVec3::new(0.4, 0.5, 0.7), look_at: SEEN, up: DVec3::Y, fov_y: 1e-4, ..Camera::default() };
     camera::aim(&mut params, &view, UVec2::splat(16), DVec3::ZERO);
     let mut rig = support::rig();
     room.load(&mut rig);

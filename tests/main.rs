@@ -3,6 +3,7 @@
 mod alias;
 mod bench;
 mod bsdf;
+mod camera;
 mod circles;
 mod cli;
 mod coat;

@@ -15,7 +15,13 @@ fn aimed(camera: &Camera, origin: DVec3) -> TraceParams {
 
 #[test]
 fn a_camera_spans_its_field_of_view() {
-    let camera = Camera { position: DVec3::new(0.0, 0.0, 3.0), look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 90.0 };
+    let camera = Camera {
+        position: DVec3::new(0.0, 0.0, 3.0),
+        look_at: DVec3::ZERO,
+        up: DVec3::Y,
+        fov_y: 90.0,
+        ..Camera::default()
+    };
     let params = aimed(&camera, DVec3::ZERO);
     assert_eq!((params.position, params.forward), (Vec3::new(0.0, 0.0, 3.0), Vec3::NEG_Z));
     assert!(params.up.distance(Vec3::Y) < 1e-6 && params.right.distance(2.0 * Vec3::X) < 1e-6);
@@ -26,7 +32,13 @@ fn a_camera_spans_its_field_of_view() {
 #[test]
 fn a_camera_far_from_the_origin_loses_nothing() {
     let far = DVec3::splat(1e9);
-    let near = Camera { position: DVec3::new(0.1, 0.2, 0.3), look_at: DVec3::ONE, up: DVec3::Y, fov_y: 40.0 };
+    let near = Camera {
+        position: DVec3::new(0.1, 0.2, 0.3),
+        look_at: DVec3::ONE,
+        up: DVec3::Y,
+        fov_y: 40.0,
+        ..Camera::default()
+    };
     let there = Camera { position: near.position + far, look_at: near.look_at + far, ..near };
     let (here, there) = (aimed(&near, DVec3::ZERO), aimed(&there, far));
     assert!(here.position.distance(there.position) < 1e-6 && here.forward.distance(there.forward) < 1e-6);
@@ -34,7 +46,7 @@ fn a_camera_far_from_the_origin_loses_nothing() {
 
 #[test]
 fn a_camera_without_a_direction_still_has_one() {
-    let blind = Camera { position: DVec3::ONE, look_at: DVec3::ONE, up: DVec3::Y, fov_y: 40.0 };
+    let blind = Camera { position: DVec3::ONE, look_at: DVec3::ONE, up: DVec3::Y, fov_y: 40.0, ..Camera::default() };
     assert_eq!(aimed(&blind, DVec3::ZERO).forward, Vec3::NEG_Z);
     let along = Camera { look_at: DVec3::new(1.0, 2.0, 1.0), ..blind };
     let params = aimed(&along, DVec3::ZERO);

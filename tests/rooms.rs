@@ -1,7 +1,7 @@
 //! Small scenes for the tests of light transport.
 
 use glam::{DMat3, DVec3, UVec2, Vec3};
-use lucerna::components::{Camera, Crop, Energy, Lobe, Material, Passage};
+use lucerna::components::{Camera, Crop, Energy, Lens, Lobe, Material, Passage};
 use lucerna::cpu::path::PathScene;
 use lucerna::cpu::rng::Source;
 use lucerna::cpu::tree;
@@ -35,6 +35,8 @@ pub struct Room {
     pub sampler: Source,
     /// Integrator `Path`: lights are asked directly.
     pub next_event: bool,
+    /// Of the camera that looks in.
+    pub lens: Lens,
 }
 
 /// A diffuse material that may emit.
@@ -167,7 +169,13 @@ impl Room {
             seed: 1,
             ..TraceParams::default()
         };
-        let view = Camera { position: DVec3::new(0.1, 0.05, 3.2), look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 42.0 };
+        let view = Camera {
+            position: DVec3::new(0.1, 0.05, 3.2),
+            look_at: DVec3::ZERO,
+            up: DVec3::Y,
+            fov_y: 42.0,
+            lens: self.lens,
+        };
         camera::aim(&mut params, &view, size, DVec3::ZERO);
         camera::crop(&mut params, Crop { min: UVec2::ZERO, max: size });
         camera::fit_film(&mut params, self.exponent());
@@ -220,6 +228,7 @@ impl Room {
             normals,
             roulette,
             lights,
+            lens: self.lens.aperture > 0.0,
             sobol,
         }
         .features()

@@ -209,6 +209,9 @@ fn what_is_shipped_fits_and_what_is_wrong_does_not() {
         "(environment: Constant((1, 0.5, 0)), materials: { \"a\": (kd: 0.5, map_kd: Off, norm: None), \"b\": None })",
         "(environment: Constant(1, 1, 1), models: [], cameras: {}, film: ())",
         "(extends: \"b.ron\", cameras: { \"front\": (fov_y: 30) })",
+        "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), aperture: 1, focus: Distance(2), shift: (0, -1)) })",
+        "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), focus: At((0, 0, 0))) })",
+        "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), focus: LookAt) })",
         "(extends: \"b.ron\", materials: { \"a\": (map_ns: (file: \"a.png\", scale: 2, clamp: (true, false), channel: Red)) })",
     ] {
         assert!(fits(right).0, "{right}");
@@ -222,6 +225,8 @@ fn what_is_shipped_fits_and_what_is_wrong_does_not() {
         "(environment: Constant(-1))",
         "(environment: Moon())",
         "(cameras: { \"a\": (position: (0, 0)) })",
+        "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), aperture: -1) })",
+        "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), focus: 2) })",
         "(materials: { \"a\": (pr: 1.5) })",
         "(materials: { \"a\": (map_kd: (channel: Red)) })",
     ] {

@@ -32,7 +32,13 @@ fn describe(triangles: &[Triangle]) -> SceneDescription {
     };
     let (first, second) = corners.split_at(corners.len() / 2);
     let lamp = Material { emission: Vec3::splat(3.0), ..Default::default() };
-    let camera = Camera { position: DVec3::splat(2.5), look_at: DVec3::splat(0.5), up: DVec3::Y, fov_y: 60.0 };
+    let camera = Camera {
+        position: DVec3::splat(2.5),
+        look_at: DVec3::splat(0.5),
+        up: DVec3::Y,
+        fov_y: 60.0,
+        ..Camera::default()
+    };
     SceneDescription {
         name: "built".into(),
         meshes: [("a".into(), mesh(first)), ("b".into(), mesh(second))].into(),

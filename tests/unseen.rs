@@ -95,6 +95,12 @@ const CAMERAS: &[(&str, bool, bool)] = &[
     ("position: (0.5, 0.5, 0), look_at: (1, 0.5, 0)", false, false),
     ("position: (1e9, 0.5, 0), look_at: (0.5, 0.5, 0), fov_y: 0.01", false, false),
     ("position: (1e9, 0.5, 0), look_at: (2e9, 0.5, 0)", true, true),
+    // Below the picture, unless the lens is moved down, or blurs what is beyond its edge.
+    ("position: (0.5, 3.5, 5), look_at: (0.5, 3.5, 0)", false, true),
+    ("position: (0.5, 3.5, 5), look_at: (0.5, 3.5, 0), shift: (0, 0.3)", false, true),
+    ("position: (0.5, 3.5, 5), look_at: (0.5, 3.5, 0), shift: (0, -0.3)", false, false),
+    ("position: (0.5, 3.5, 5), look_at: (0.5, 3.5, 0), aperture: 1", false, true),
+    ("position: (0.5, 3.5, 5), look_at: (0.5, 3.5, 0), aperture: 1, focus: Distance(2)", false, false),
 ];
 
 #[test]

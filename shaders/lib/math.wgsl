@@ -26,7 +26,7 @@ fn expm1_negative(x: f32) -> f32 {
     return x + x * x * (0.5 + x * tail);
 }
 
-// (sin, cos) of 2 pi u for u in [0, 1): reduced exactly to an eighth of a turn either side of a quadrant's axis.
+// (sin, cos) of 2 pi u for u from -1/8 to 1: reduced exactly to an eighth of a turn either side of a quadrant's axis.
 fn sin_cos_turns(u: f32) -> vec2<f32> {
     let quadrant = floor(u * 4.0 + 0.5);
     let a = (u * 4.0 - quadrant) * (0.5 * PI);

@@ -20,6 +20,16 @@ fn phong_angle(n: f32, u: f32) -> Angle {
     return Angle(1.0 - one_minus_cos, sqrt(max(0.0, one_minus_cos * (2.0 - one_minus_cos))));
 }
 
+// A point of the unit disk, evenly: squares about the middle become circles (Shirley and Chiu: A Low Distortion Map Between Disk and Square,
+// Journal of Graphics Tools 2(3), 1997).
+fn concentric_disk(u: vec2<f32>) -> vec2<f32> {
+    let p = 2.0 * u - 1.0;
+    let wide = abs(p.x) > abs(p.y);
+    let radius = select(p.y, p.x, wide);
+    let part = 0.125 * select(p.x, p.y, wide) / select(radius, 1.0, radius == 0.0);
+    return radius * sin_cos_turns(select(0.25 - part, part, wide)).yx;
+}
+
 // The direction at an angle from a unit axis, `turn` turns about it. Unit length.
 fn direction_around(axis: vec3<f32>, angle: Angle, turn: f32) -> vec3<f32> {
     let frame = frame_around(axis);

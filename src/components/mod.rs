@@ -21,7 +21,7 @@ mod rendered;
 mod texture;
 
 pub use bevy_ecs::name::Name;
-pub use camera::{Active, Camera};
+pub use camera::{Active, Camera, Focus, Lens};
 pub use environment::{Daylight, Environment, EnvironmentMap};
 pub use film::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Sampler, TextureFilter};
 pub use material::{Lobe, Material, Passage};

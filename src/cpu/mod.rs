@@ -3,6 +3,7 @@
 pub mod alias;
 pub mod bounds;
 pub mod bsdf;
+pub mod camera;
 pub mod connect;
 pub mod display;
 pub mod film;

@@ -5,6 +5,7 @@ use glam::{DMat3, DVec2, DVec3, DVec4, UVec2, UVec4};
 
 use super::bsdf::dielectric::Interface;
 use super::bsdf::{Reflection, ShadingFrame};
+use super::camera::camera_ray;
 use super::connect::{LightSample, LightSampler, power_heuristic};
 use super::normals::{bent_to_viewer, smooth_normal};
 use super::pcg4d::pcg4d;
@@ -18,8 +19,8 @@ use crate::layout::light::LightTable;
 use crate::layout::sky::SkyTable;
 use crate::layout::texture::{CUTOUT_DIMENSIONS, MaterialMaps, TEXTURE_DIMENSIONS, TEXTURE_DIMENSIONS_PER_BOUNCE};
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE, SLOT_CHOICES,
-    SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, SampleKey, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, LENS_DIMENSIONS, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE,
+    SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, SampleKey, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -72,8 +73,8 @@ impl<'a> PathScene<'a> {
     /// A film sample of a pixel of the whole film; what the kernel reads of `params` is read here.
     pub fn sample(&self, params: &TraceParams, pixel: UVec2, sample: u32) -> Traced {
         let key = sample_key(pixel.y * params.film_width + pixel.x, sample, params.seed);
-        let mut origin = params.position.as_dvec3();
-        let mut direction = camera_direction(params, pixel.as_dvec2() + self.sampler.sample_2d(key, SLOT_FILM));
+        let at = pixel.as_dvec2() + self.sampler.sample_2d(key, SLOT_FILM);
+        let (mut origin, mut direction) = camera_ray(params, at, || self.sampler.sample_2d(key, LENS_DIMENSIONS));
         let mut throughput = DVec3::ONE;
         let mut pdf = 0.0;
         let mut eta_scale = 1.0;
@@ -273,11 +274,4 @@ const CUTOUT_STREAM: u32 = 0x6375_7400;
 struct Connection {
     from: LightSample,
     light: DVec3,
-}
-
-/// Unit direction through a point of the whole film, in pixels from its top left corner.
-pub fn camera_direction(params: &TraceParams, at: DVec2) -> DVec3 {
-    let size = DVec2::new(f64::from(params.film_width), f64::from(params.film_height));
-    let s = (2.0 * at / size - 1.0) * DVec2::new(1.0, -1.0);
-    (params.forward.as_dvec3() + s.x * params.right.as_dvec3() + s.y * params.up.as_dvec3()).normalize()
 }

@@ -28,13 +28,22 @@ pub struct ViewScene<'a> {
     pub fma: Fma,
 }
 
-/// The camera's ray through the middle of a pixel of the window.
+/// The camera's ray through the middle of a pixel of the window, and of its lens.
 pub fn middle_ray(trace_params: &TraceParams, pixel: UVec2) -> Ray {
+    Ray {
+        origin: trace_params.position,
+        t_min: 0.0,
+        direction: through_middle(trace_params, pixel).normalize(),
+        t_max: T_FAR,
+    }
+}
+
+/// Its direction, of length 1 along the viewing axis.
+pub fn through_middle(trace_params: &TraceParams, pixel: UVec2) -> Vec3 {
     let at = UVec2::new(trace_params.window_x, trace_params.window_y).as_vec2() + pixel.as_vec2() + 0.5;
     let film = UVec2::new(trace_params.film_width, trace_params.film_height).as_vec2();
     let (x, y) = (2.0 * at.x / film.x - 1.0, 1.0 - 2.0 * at.y / film.y);
-    let direction: Vec3 = (trace_params.forward + x * trace_params.right + y * trace_params.up).normalize();
-    Ray { origin: trace_params.position, t_min: 0.0, direction, t_max: T_FAR }
+    trace_params.forward + x * trace_params.right + y * trace_params.up
 }
 
 impl ViewScene<'_> {

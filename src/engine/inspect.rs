@@ -10,7 +10,7 @@ use crate::components::{Name, UsesMaterial};
 use crate::cpu::film::pixel_mean;
 use crate::cpu::texture::{level_of, nearest_texel};
 use crate::cpu::textured::Cone;
-use crate::cpu::view::middle_ray;
+use crate::cpu::view::{middle_ray, through_middle};
 use crate::gpu::GpuTable;
 use crate::layout::film::FilmPixel;
 use crate::layout::ray::{Hit, NO_HIT};
@@ -42,6 +42,8 @@ pub struct Seen {
     pub mesh: String,
     /// Name of its material; none if it has the default one.
     pub material: Option<String>,
+    /// Distance from the camera along the viewing axis, scene units: what a lens is focused to.
+    pub distance: f64,
     /// Where it is in pictures, v up; none where the material looks nothing up.
     pub uv: Option<[f64; 2]>,
     pub texels: Vec<LookedUp>,
@@ -83,12 +85,13 @@ pub fn inspect(world: &mut World, pixel: UVec2) -> Result<Option<Inspected>, Eng
     let hit: Hit = device.read_one("hits", 0)?;
     let (radiance, samples) = pixel_mean(&held, exponent);
     let bad = held.halves.iter().map(|half| half.bad).sum();
-    let surface = surface_of(world, hit.triangle).map(|surface| look_up(world, surface, &shot, &hit));
+    let distance = f64::from(hit.t) / through_middle(&shot, pixel).as_dvec3().length();
+    let surface = surface_of(world, hit.triangle, distance).map(|surface| look_up(world, surface, &shot, &hit));
     Ok(Some(Inspected { pixel, radiance, samples, bad, surface }))
 }
 
-/// The mesh that has a triangle, and its material.
-fn surface_of(world: &World, triangle: u32) -> Option<Seen> {
+/// The mesh that has a triangle, and its material; so far away.
+fn surface_of(world: &World, triangle: u32, distance: f64) -> Option<Seen> {
     if triangle == NO_HIT {
         return None;
     }
@@ -99,7 +102,7 @@ fn surface_of(world: &World, triangle: u32) -> Option<Seen> {
     let mesh = *world.resource::<SceneGeometry>().meshes.iter().find(has)?;
     let name = |entity: Entity| world.get::<Name>(entity).map(|name| name.as_str().to_owned());
     let material = world.get::<UsesMaterial>(mesh).and_then(|uses| name(uses.0));
-    Some(Seen { mesh: name(mesh)?, material, uv: None, texels: Vec::new() })
+    Some(Seen { mesh: name(mesh)?, material, distance, uv: None, texels: Vec::new() })
 }
 
 /// Adds what the surface's textures have where a ray through the middle of a pixel hits it.

@@ -87,7 +87,7 @@ gpu_struct! {
         pub position: Vec3,
         /// Whole film, pixels.
         pub film_width: u32,
-        /// Unit length.
+        /// Through the film's middle, of length 1 along the viewing axis.
         pub forward: Vec3,
         pub film_height: u32,
         /// To the film's right edge at unit distance.
@@ -144,9 +144,11 @@ gpu_struct! {
         pub sun_density: f32,
         /// By how much surfaces spread the cones of paths: [`CONE_PART`](super::texture::CONE_PART), or 0 where lookups are of points.
         pub cone_part: f32,
+        /// Radius of the camera's lens; 0 is a pinhole.
+        pub lens_radius: f32,
+        /// Distance along the viewing axis at which the lens is sharp.
+        pub focus: f32,
         pub pad0: u32,
-        pub pad1: u32,
-        pub pad2: u32,
     }
 
     /// One sample of one pixel, as the trace kernel leaves it for the film.
@@ -192,6 +194,8 @@ gpu_consts! {
     pub const SLOT_CHOICES: u32 = 4;
     /// The direction that a bounce draws, 2D: in the group of the next bounce's light.
     pub const SLOT_DIRECTION: u32 = 8;
+    /// Random dimensions of the point on the lens, 2D: beyond those of bounces, textures and rays.
+    pub const LENS_DIMENSIONS: u32 = 196608;
     /// Cosine to its viewer that a shading normal is bent to where it looks away, at a facet that itself has as much.
     pub const LEAST_FACING: f32 = 1.0 / 32.0;
     /// Roughness below which a GGX lobe is taken as a mirror. Unit vectors in f32 err by some 1e-7, which is a thousandth of

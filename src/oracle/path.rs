@@ -10,7 +10,7 @@ impl Oracle {
     /// Radiance of one sample of a pixel of the whole film.
     pub(super) fn trace(&self, pixel: UVec2, random: &mut Random) -> DVec3 {
         let at = pixel.as_dvec2() + DVec2::new(random.unit(), random.unit());
-        let (mut origin, mut direction) = self.scene.camera_ray(at);
+        let (mut origin, mut direction) = self.scene.camera_ray(at, random);
         let (mut throughput, mut radiance) = (DVec3::ONE, DVec3::ZERO);
         // Of the ray's direction, as the last surface drew it; 0 where it could not have asked a light that way.
         let mut drawn_pdf = 0.0;

@@ -11,7 +11,7 @@ use super::substance::{Substance, Textures};
 use super::tangents::Tangents;
 use super::tree::{Hit, Tree};
 use crate::components::{
-    Active, Camera, Environment, Film, Geometry, Maps, Material, MeshData, Render, Transform, UsesMaterial,
+    Active, Camera, Environment, Film, Focus, Geometry, Lens, Maps, Material, MeshData, Render, Transform, UsesMaterial,
 };
 
 /// Why a world can't be rendered.
@@ -94,15 +94,30 @@ impl Scene {
         Ok(Self { triangles, tree, substances, environment, film, max_depth: render.max_depth.max(1), camera })
     }
 
-    /// Origin and unit direction of the ray through a point of the whole film, in pixels from its top left corner.
-    pub fn camera_ray(&self, at: DVec2) -> (DVec3, DVec3) {
+    /// Origin and unit direction of a ray through a point of the whole film, in pixels from its top left corner: from any point of the lens.
+    pub fn camera_ray(&self, at: DVec2, random: &mut Random) -> (DVec3, DVec3) {
         let camera = &self.camera;
         let forward = (camera.look_at - camera.position).normalize_or(DVec3::NEG_Z);
         let right = forward.cross(camera.up).normalize_or(forward.any_orthonormal_vector());
         let size = self.film.size.as_dvec2();
         let half = (0.5 * camera.fov_y.to_radians()).tan();
         let (x, y) = (half * (2.0 * at.x - size.x) / size.y, half * (1.0 - 2.0 * at.y / size.y));
-        (camera.position, (forward + x * right + y * right.cross(forward)).normalize())
+        let Lens { aperture, focus, shift } = camera.lens;
+        let (x, y) = (x + 2.0 * half * shift.x, y + 2.0 * half * shift.y);
+        let up = right.cross(forward);
+        if aperture <= 0.0 {
+            return (camera.position, (forward + x * right + y * up).normalize());
+        }
+        let looked_at = (camera.look_at - camera.position).dot(forward);
+        let distance = match focus {
+            Focus::LookAt => looked_at,
+            Focus::Distance(distance) => distance,
+            Focus::At(point) => Some((point - camera.position).dot(forward)).filter(|d| *d > 0.0).unwrap_or(looked_at),
+        };
+        let (radius, angle) = (aperture * random.unit().sqrt(), std::f64::consts::TAU * random.unit());
+        let origin = camera.position + radius * (angle.cos() * right + angle.sin() * up);
+        let sharp = camera.position + distance * (forward + x * right + y * up);
+        (origin, (sharp - origin).normalize())
     }
 
     /// The first surface on the way of a ray. Surfaces with holes are there by chance, for each ray anew.

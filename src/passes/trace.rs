@@ -65,6 +65,8 @@ pub struct Needs<'a> {
     pub sun: bool,
     /// Emitting triangles are sampled.
     pub lights: bool,
+    /// The camera has a lens.
+    pub lens: bool,
     /// Some mesh has normals of its own.
     pub normals: bool,
     /// Russian roulette.
@@ -88,6 +90,7 @@ impl Needs<'_> {
             ("emitters", any(|m| m.emission.max_element() > 0.0)),
             ("environment", self.environment.max_element() > 0.0),
             ("ggx", flagged(MATERIAL_GGX)),
+            ("lens", self.lens),
             ("lights", self.lights),
             ("mirror", flagged(MATERIAL_MIRROR)),
             ("normals", self.normals),

@@ -346,5 +346,5 @@ fn default_camera(meshes: &BTreeMap<String, MeshEntry>, file: &SceneFile) -> BTr
     let half = (fov_y.to_radians() / 2.0).tan() * aspect.min(1.0);
     let distance = radius / half.atan().sin();
     let position = centre + DVec3::new(0.4, 0.3, 1.0).normalize() * distance;
-    BTreeMap::from([(DEFAULT_CAMERA.to_owned(), Camera { position, look_at: centre, up: DVec3::Y, fov_y })])
+    BTreeMap::from([(DEFAULT_CAMERA.to_owned(), Camera { position, look_at: centre, fov_y, ..Camera::default() })])
 }

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::bounds::Bounds;
 use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Severity};
-use crate::components::{Camera, MeshData};
+use crate::components::{Camera, Lens, MeshData};
 
 /// Triangles whose height is less than this part of their longest side have no area: their corners, of 53 bits, lie on a line.
 const FLAT: f64 = 1e-15;
@@ -97,6 +97,9 @@ struct View {
     forward: DVec3,
     /// Normals, inwards.
     sides: [DVec3; 4],
+    /// Radius of the lens, and distance of what it shows sharp.
+    aperture: f64,
+    focus: f64,
 }
 
 impl View {
@@ -107,18 +110,32 @@ impl View {
         let up = right.cross(forward);
         let half = (0.5 * camera.fov_y.to_radians()).tan();
         let (x, y) = (half * film.x / film.y, half);
-        let sides = [forward * x - right, forward * x + right, forward * y - up, forward * y + up];
-        Self { position: camera.position, forward, sides: sides.map(DVec3::normalize) }
+        let Lens { aperture, shift, .. } = camera.lens;
+        let middle = 2.0 * half * shift;
+        let sides = [
+            forward * (x + middle.x) - right,
+            forward * (x - middle.x) + right,
+            forward * (y + middle.y) - up,
+            forward * (y - middle.y) + up,
+        ];
+        let (position, focus) = (camera.position, camera.focus_distance());
+        Self { position, forward, sides: sides.map(DVec3::normalize), aperture, focus }
     }
 
     /// Where a box is, if nothing of it is in view. What touches an edge is in view, as near as numbers tell.
     fn beyond(&self, corners: &[DVec3; 8]) -> Option<Beyond> {
         let slack = 1e-12 * corners.iter().fold(self.position.length(), |most, corner| most.max(corner.length()));
-        let all_beyond =
-            |normal: DVec3, least: f64| corners.iter().all(|corner| normal.dot(*corner - self.position) <= least);
-        if all_beyond(self.forward, 0.0) {
+        let ahead = |corner: &DVec3| self.forward.dot(*corner - self.position);
+        if corners.iter().all(|corner| ahead(corner) <= 0.0) {
             return Some(Beyond::Behind);
         }
-        self.sides.iter().any(|side| all_beyond(*side, -slack)).then_some(Beyond::Outside)
+        let is_beyond =
+            |side: &DVec3, corner: &DVec3| side.dot(*corner - self.position) <= -slack - self.blur(ahead(corner));
+        self.sides.iter().any(|side| corners.iter().all(|corner| is_beyond(side, corner))).then_some(Beyond::Outside)
+    }
+
+    /// How far beyond the edges of the picture a lens sees, so far ahead.
+    fn blur(&self, ahead: f64) -> f64 {
+        if self.aperture > 0.0 && self.focus > 0.0 { self.aperture * (1.0 - ahead / self.focus).abs() } else { 0.0 }
     }
 }

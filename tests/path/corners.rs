@@ -71,7 +71,13 @@ fn escapes_at_edges(library: impl Fn() -> Library) -> usize {
         let edges = (0..n).flat_map(|i| [(i, (i + 1) % n), (n + i, n + (i + 1) % n), (i, n + i)]);
         for (a, b) in edges {
             let look_at = corners[a].lerp(corners[b], 0.37);
-            let view = Camera { position: middle, look_at, up: (corners[b] - corners[a]).normalize(), fov_y: 1e-5 };
+            let view = Camera {
+                position: middle,
+                look_at,
+                up: (corners[b] - corners[a]).normalize(),
+                fov_y: 1e-5,
+                ..Camera::default()
+            };
             let mut params = TraceParams { layers: 4, max_depth: 5, ..room.params(UVec2::splat(16)) };
             camera::aim(&mut params, &view, UVec2::splat(16), DVec3::ZERO);
             escaped += escapes(library(), &room, &params);

@@ -26,7 +26,7 @@ fn bad_samples_say_where_they_went_wrong() {
         let mut params = TraceParams { layers: 2, ..inside(&room, size, 3) };
         // Into the edge of the broken wall and a good one.
         let edge = DVec3::new(1.0, 0.0, -1.0);
-        let view = Camera { position: DVec3::ZERO, look_at: edge, up: DVec3::Y, fov_y: 42.0 };
+        let view = Camera { position: DVec3::ZERO, look_at: edge, up: DVec3::Y, fov_y: 42.0, ..Camera::default() };
         camera::aim(&mut params, &view, size, DVec3::ZERO);
         camera::fit_film(&mut params, 40);
         let mut by_bounce = [0; 3];

@@ -5,9 +5,11 @@ use std::sync::Arc;
 use bevy_ecs::prelude::*;
 use glam::{DMat3, DVec3, UVec2, Vec3};
 use lucerna::components::{
-    Active, Camera, Environment, EnvironmentMap, Film, Geometry, Material, MeshData, Render, Transform, UsesMaterial,
+    self, Active, Camera, Environment, EnvironmentMap, Film, Geometry, Lens, Material, MeshData, Render, Transform,
+    UsesMaterial,
 };
 use lucerna::oracle::Oracle;
+use lucerna::scene::MtlMaterial;
 use lucerna::scene::generate::{Corners, icosphere, to_mesh};
 
 /// A world that is filled part by part.
@@ -33,7 +35,7 @@ impl Stage {
     /// A film, and a camera of 42 degrees.
     pub fn new(size: UVec2, max_depth: u32, position: DVec3, look_at: DVec3) -> Self {
         let mut world = World::new();
-        let camera = Camera { position, look_at, up: DVec3::Y, fov_y: 42.0 };
+        let camera = Camera { position, look_at, up: DVec3::Y, fov_y: 42.0, ..Camera::default() };
         world.spawn((Name::new("eye"), camera, Active));
         world.spawn((Name::new("film"), Film { size, ..Film::default() }, Render { max_depth, ..Render::default() }));
         Self { world, parts: 0 }
@@ -43,6 +45,12 @@ impl Stage {
     pub fn fov_y(&mut self, degrees: f64) {
         for mut camera in self.world.query::<&mut Camera>().iter_mut(&mut self.world) {
             camera.fov_y = degrees;
+        }
+    }
+
+    pub fn lens(&mut self, lens: Lens) {
+        for mut camera in self.world.query::<&mut Camera>().iter_mut(&mut self.world) {
+            camera.lens = lens;
         }
     }
 
@@ -98,6 +106,13 @@ impl Stage {
         stage.ball(DVec3::new(-0.45, -0.5, -0.3), 0.45, left);
         stage.ball(DVec3::new(0.45, -0.55, 0.3), 0.4, right);
         stage
+    }
+
+    /// All of it, with every component of scenes known.
+    pub fn world(&mut self) -> &World {
+        components::register(&mut self.world);
+        self.world.register_component::<MtlMaterial>();
+        &self.world
     }
 
     pub fn oracle(&mut self) -> Oracle {

@@ -50,7 +50,8 @@ impl Scene {
         description.film = Film { size: UVec2::splat(side), ..description.film };
         description.render = render;
         let fov_y = 2.0 * (1.0f64 / 3.0).atan().to_degrees();
-        let camera = Camera { position: 3.0 * DVec3::Z, look_at: DVec3::ZERO, up: DVec3::Y, fov_y };
+        let camera =
+            Camera { position: 3.0 * DVec3::Z, look_at: DVec3::ZERO, up: DVec3::Y, fov_y, ..Camera::default() };
         description.cameras.values_mut().for_each(|held| *held = camera);
         Self { description, maps: Vec::new() }
     }

@@ -33,7 +33,13 @@ fn albedo(material: Material, relief: &Texture, degrees: f64) -> (f64, f64) {
         Scene::new(16, lucerna::components::Render { max_depth: 64, spp: 256, roulette: false, ..Default::default() });
     scene.description.environment = Some(Environment::Constant(Vec3::ONE));
     let (sin, cos) = degrees.to_radians().sin_cos();
-    let camera = Camera { position: 10.0 * DVec3::new(sin, 0.0, cos), look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 2.0 };
+    let camera = Camera {
+        position: 10.0 * DVec3::new(sin, 0.0, cos),
+        look_at: DVec3::ZERO,
+        up: DVec3::Y,
+        fov_y: 2.0,
+        ..Camera::default()
+    };
     scene.description.cameras.values_mut().for_each(|held| *held = camera);
     let side = quad(Vec3::new(-30.0, -30.0, 0.0), 60.0 * Vec3::X, 60.0 * Vec3::Y, [Vec2::ZERO, Vec2::splat(40.0)]);
     let maps = Textures { relief: Some(relief.clone()), ..Textures::default() };

@@ -33,7 +33,7 @@ fn scene(sight: Sight) -> Scene {
         Sight::InMirror => DVec3::new(0.0, 1.3, -6.0),
         Sight::ThroughGlass => DVec3::new(0.6, 1.1, -4.0),
     };
-    let camera = Camera { position: 1.5 * DVec3::Y, look_at: aims, up: DVec3::Y, fov_y: 50.0 };
+    let camera = Camera { position: 1.5 * DVec3::Y, look_at: aims, up: DVec3::Y, fov_y: 50.0, ..Camera::default() };
     scene.description.cameras.values_mut().for_each(|held| *held = camera);
     let checker = picture(UVec2::splat(128), |x, y| match (x / 64 + y / 64) % 2 {
         0 => [235, 235, 225, 255],

@@ -33,6 +33,18 @@ fn a_pixel_is_what_the_film_holds_and_what_is_seen_there() {
     }
     let lamp = look(brightest).surface.unwrap();
     assert!(lamp.material.as_deref() == Some("cornell-data:light"), "{lamp:?}");
+    // A plane across the view, at whatever distance from the camera's place.
+    let camera = description.cameras[&description.active];
+    let forward = (camera.look_at - camera.position).normalize();
+    let points =
+        description.meshes.iter().filter(|(_, mesh)| mesh.material == "cornell-data:light").flat_map(|(_, mesh)| {
+            mesh.geometry
+                .positions
+                .iter()
+                .map(|p| (mesh.transform.0.transform_point3(*p) - camera.position).dot(forward))
+        });
+    let [near, far] = points.fold([f64::MAX, f64::MIN], |[near, far], d| [near.min(d), far.max(d)]);
+    assert!(near - 1e-3 <= lamp.distance && lamp.distance <= far + 1e-3, "{} is not in {near} to {far}", lamp.distance);
     // The film is wider than the box is deep: at its left edge, the camera looks past it.
     assert_eq!(look(52 * 20).surface, None);
     let outside = engine.inspect(UVec2::new(52, 0)).unwrap();

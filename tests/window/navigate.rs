@@ -1,8 +1,8 @@
 //! Moving a camera: what each motion keeps, and that every camera can be written to a scene file.
 
 use glam::{DVec2, DVec3};
-use lucerna::app::window::navigate::{distance, fly, frame, orbit, pan, to_ron, zoom};
-use lucerna::components::Camera;
+use lucerna::app::window::navigate::{distance, fly, focus, frame, orbit, pan, to_ron, zoom};
+use lucerna::components::{Camera, Focus, Lens};
 use lucerna::scene;
 
 /// Cameras of several scenes: level, from above, far away, of another up.
@@ -12,8 +12,13 @@ fn cameras() -> Vec<Camera> {
         look_at: look_at.into(),
         up: up.into(),
         fov_y,
+        ..Camera::default()
     };
+    let lens = Lens { aperture: 0.1, focus: Focus::Distance(1.0 / 3.0), shift: DVec2::new(0.7, -0.2) };
+    let at = Lens { focus: Focus::At(DVec3::new(0.1, 0.2, 0.3)), ..lens };
     vec![
+        Camera { lens, ..camera([0.0, 1.0, 2.5], [0.0, 0.5, 0.0], [0.0, 1.0, 0.0], 50.0) },
+        Camera { lens: at, ..camera([1.0, 2.0, 3.0], [0.1, 0.2, 0.3], [0.0, 1.0, 0.0], 30.0) },
         camera([0.0, 0.0, 2.5], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0], 60.0),
         camera([30.0, 12.0, 0.0], [0.0, 2.5, 0.0], [0.0, 1.0, 0.0], 20.0),
         camera([1e6, 2e5, -3e5], [1e6 + 1.0, 2e5 - 3.0, -3e5 + 0.5], [0.0, 2.0, 0.0], 45.0),
@@ -133,13 +138,26 @@ fn a_framed_box_is_all_in_view() {
                 let p = DVec3::new(at(0), at(1), at(2)) - framed.position;
                 let depth = p.dot(forward);
                 assert!(depth > 0.0);
-                let (x, y) = (p.dot(right) / depth / (tan * aspect), p.dot(right.cross(forward)) / depth / tan);
+                let shift = 2.0 * framed.lens.shift;
+                let (x, y) =
+                    (p.dot(right) / depth / tan - shift.x, p.dot(right.cross(forward)) / depth / tan - shift.y);
+                let x = x / aspect;
                 assert!(x.abs() <= 1.0 && y.abs() <= 1.0, "{corner} at {x}, {y} by {framed:?}");
             }
         }
         // An empty scene gives no reason to move.
         assert_eq!(frame(camera, DVec3::INFINITY, DVec3::NEG_INFINITY, 1.0), camera);
         assert_eq!(frame(camera, DVec3::ONE, DVec3::ONE, 1.0), camera);
+    }
+}
+
+#[test]
+fn focusing_changes_the_focus_alone() {
+    for camera in cameras() {
+        let focused = focus(camera, 0.25);
+        assert_eq!(focused.focus_distance(), 0.25);
+        assert_eq!(Camera { lens: camera.lens, ..focused }, camera);
+        assert!(focus(camera, 0.0).focus_distance() > 0.0 && focus(camera, f64::MAX).focus_distance() <= 1e12);
     }
 }
 

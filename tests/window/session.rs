@@ -19,7 +19,7 @@ fn progress(spp: u32) -> Progress {
 
 #[test]
 fn a_flight_is_followed_until_it_rests() {
-    let camera = Camera { position: DVec3::Z, look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 45.0 };
+    let camera = Camera { position: DVec3::Z, look_at: DVec3::ZERO, up: DVec3::Y, fov_y: 45.0, ..Camera::default() };
     let mut viewpoint = Viewpoint::new(camera, BTreeMap::new());
     assert!(!viewpoint.moved && !viewpoint.flies(DVec3::ZERO) && viewpoint.flies(DVec3::X));
     viewpoint.fly(DVec3::X, FRAME, 2.0);

@@ -15,7 +15,9 @@ import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
 import package::lib::bsdf::frame::{ShadingFrame};
 import package::lib::bsdf::mixture::{mixture_sample};
 @if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
-import package::lib::camera::{camera_direction};
+@if(lens) import package::gen::{LENS_DIMENSIONS};
+@if(!lens) import package::lib::camera::{camera_direction};
+@if(lens) import package::lib::camera::{lens_ray};
 import package::lib::fault::{fault_of};
 import package::lib::intersect::{offset_ray_origin, surface_point, triangle_normal};
 @if(emitters) import package::lib::light::{emitted};
@@ -99,8 +101,15 @@ fn shading_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame, @if(reli
 fn begin(pixel: vec2<u32>, sample: u32) -> PathState {
     var state: PathState;
     state.key = SampleKey(pixel.y * params.film_width + pixel.x, sample >> 1u, sample & 1u, params.seed);
-    state.origin = params.position;
-    state.direction = camera_direction(params, vec2<f32>(pixel) + sample_2d(state.key, SLOT_FILM));
+    let at = vec2<f32>(pixel) + sample_2d(state.key, SLOT_FILM);
+    @if(lens) {
+        let ray = lens_ray(params, at, sample_2d(state.key, LENS_DIMENSIONS));
+        state.origin = ray.origin;
+        state.direction = ray.direction;
+    } @else {
+        state.origin = params.position;
+        state.direction = camera_direction(params, at);
+    }
     state.cone_spread = params.cone_spread;
     state.throughput = vec3<f32>(1.0);
     state.eta_scale = 1.0;

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
-use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
+use winit::event::{ElementState, KeyEvent, Modifiers, MouseButton, MouseScrollDelta, WindowEvent};
 use winit::keyboard::{Key, KeyCode, NamedKey, PhysicalKey};
 
 /// What a user wants.
@@ -16,6 +16,8 @@ pub enum Intent {
     Pan(DVec2),
     /// The distance is multiplied by this.
     Zoom(f64),
+    /// To what is under the pointer.
+    Focus,
     FrameAll,
     /// The member of the family that is so many places farther.
     Member(i32),
@@ -64,14 +66,18 @@ pub struct Controls {
     /// Pixels from the window's top left; none outside.
     pub cursor: Option<DVec2>,
     shift: bool,
+    control: bool,
 }
 
 impl Controls {
     /// Takes an event that the panel did not want. `height` of the window in pixels.
     pub fn event(&mut self, event: &WindowEvent, height: f64) -> Option<Intent> {
         match event {
-            WindowEvent::ModifiersChanged(modifiers) => self.shift = modifiers.state().shift_key(),
+            WindowEvent::ModifiersChanged(modifiers) => self.modify(modifiers),
             WindowEvent::KeyboardInput { event, is_synthetic: false, .. } => return self.key(event),
+            WindowEvent::MouseInput { state: ElementState::Pressed, button: MouseButton::Left, .. } if self.control => {
+                return Some(Intent::Focus);
+            }
             WindowEvent::MouseInput { state: ElementState::Pressed, button, .. } => self.drag = Some(*button),
             WindowEvent::CursorMoved { position, .. } => {
                 let at = DVec2::new(position.x, position.y);
@@ -104,13 +110,17 @@ impl Controls {
             }
             WindowEvent::CursorMoved { position, .. } => self.cursor = Some(DVec2::new(position.x, position.y)),
             WindowEvent::CursorLeft { .. } => self.cursor = None,
-            WindowEvent::ModifiersChanged(modifiers) => self.shift = modifiers.state().shift_key(),
+            WindowEvent::ModifiersChanged(modifiers) => self.modify(modifiers),
             WindowEvent::Focused(false) => {
                 self.held.clear();
                 self.drag = None;
             }
             _ => {}
         }
+    }
+
+    fn modify(&mut self, modifiers: &Modifiers) {
+        (self.shift, self.control) = (modifiers.state().shift_key(), modifiers.state().control_key());
     }
 
     /// Where the keys that are held fly to: right, up, forward.

@@ -9,7 +9,7 @@ use super::panel::Outcome;
 use super::screen::physical_size;
 use super::session::Session;
 use crate::app::shared::failure::rendered;
-use crate::components::Film;
+use crate::components::{Camera, Film};
 use crate::engine::{EngineError, Progress};
 use crate::gpu::{Drawn, Fit};
 
@@ -171,12 +171,13 @@ impl Session {
         let begin = Instant::now();
         let fit = self.fit();
         let name = self.name().to_owned();
+        let (view, size) = (self.viewpoint.camera, self.scene_size());
         let Session { screen, engine, overlay, panel, judgement, members, thumbs, .. } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
                 let family = members.as_ref().map(|members| (members, name.as_str(), &mut *thumbs));
-                outcome.add(panel.show(ui, engine, family));
+                outcome.add(panel.show(ui, engine, (&view, size), family));
             }
             overlay.show(ui.ctx(), judgement.line());
         });
@@ -200,6 +201,9 @@ impl Session {
         if outcome.edited || outcome.moved {
             self.end_judging();
             self.activity.working = true;
+        }
+        if let Some(lens) = outcome.lens {
+            self.set_view(Camera { lens, ..self.viewpoint.camera }, now);
         }
         if let Some(name) = outcome.camera {
             self.choose_camera(&name, now);

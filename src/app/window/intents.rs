@@ -20,7 +20,7 @@ const ZOOM_RANGE: [f64; 2] = [1e-4, 1e3];
 
 impl Session {
     /// Does what the user wants.
-    pub(super) fn act(&mut self, intent: Intent) {
+    pub(super) fn act(&mut self, intent: Intent) -> Result<(), EngineError> {
         let now = Instant::now();
         match intent {
             Intent::Orbit(angle) => self.set_view(navigate::orbit(self.viewpoint.camera, angle), now),
@@ -29,6 +29,7 @@ impl Session {
                 let range = ZOOM_RANGE.map(|bound| bound * self.scene_size());
                 self.set_view(navigate::zoom(self.viewpoint.camera, factor, range), now);
             }
+            Intent::Focus => self.focus(now)?,
             Intent::FrameAll => self.frame_all(now),
             Intent::Camera(place) => {
                 let names: Vec<String> = self.engine.read(cameras::all).into_keys().collect();
@@ -67,9 +68,28 @@ impl Session {
             }
             Intent::Quit => self.quit(),
         }
+        Ok(())
     }
 
-    fn set_view(&mut self, view: Camera, now: Instant) {
+    /// Focuses to what is seen under the pointer, as the engine's camera sees it.
+    fn focus(&mut self, now: Instant) -> Result<(), EngineError> {
+        let Some(pixel) = self.pixel_under_pointer() else { return Ok(()) };
+        let seen = self.engine.inspect(pixel);
+        let seen = self.survive("focusing", seen)?.flatten();
+        match seen.and_then(|pixel| pixel.surface) {
+            Some(surface) => {
+                let view = navigate::focus(self.viewpoint.camera, surface.distance);
+                let pinhole = view.lens.aperture == 0.0;
+                let why = if pinhole { "; all is sharp until this camera has an aperture (F2)" } else { "" };
+                self.notify(format!("focus at {:.4} on {}{why}", surface.distance, surface.mesh));
+                self.set_view(view, now);
+            }
+            None => self.notify("there is nothing here to focus to".to_owned()),
+        }
+        Ok(())
+    }
+
+    pub(super) fn set_view(&mut self, view: Camera, now: Instant) {
         self.end_judging();
         self.viewpoint.move_to(view);
         self.tracing.pace.moved(now);

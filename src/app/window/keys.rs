@@ -6,6 +6,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("middle drag, Shift + left drag", "pan"),
     ("wheel, right drag", "come closer, go away"),
     ("W A S D, Q E", "fly; down and up"),
+    ("Ctrl + left click", "focus to what is under the pointer"),
     ("F", "show the whole scene"),
     ("1 to 9", "the scene's cameras in the order of their names, as the scene's file has them"),
     ("R", "start the film anew"),

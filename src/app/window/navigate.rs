@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::{DQuat, DVec2, DVec3};
 
-use crate::components::Camera;
+use crate::components::{Camera, Focus, Lens};
 
 /// Radians that an orbit stays away from the poles, where the picture would turn over.
 const POLE_MARGIN: f64 = 0.01;
@@ -63,28 +63,46 @@ pub fn fly(camera: Camera, step: DVec3) -> Camera {
     translate(camera, step.x * right + step.y * camera.up.normalize_or(DVec3::Y) + step.z * forward)
 }
 
-/// Moves back or forth, the direction unchanged, to see all of the box between `low` and `high`. `aspect` is the film's width by its height.
-/// A box without corners changes nothing.
+/// Moves to where all of the box between `low` and `high` is seen, the direction unchanged, with the box in the middle of the picture. `aspect`
+/// is the film's width by its height. A box without corners changes nothing.
 pub fn frame(camera: Camera, low: DVec3, high: DVec3, aspect: f64) -> Camera {
     let radius = 0.5 * (high - low).length();
     if !(low.cmple(high).all() && radius.is_finite() && radius > 0.0) {
         return camera;
     }
-    let half = 0.5 * camera.fov_y.to_radians();
-    let narrower = half.min((half.tan() * aspect).atan());
-    let [.., forward] = axes(&camera);
-    let look_at = 0.5 * (low + high);
-    Camera { position: look_at - forward * (radius / narrower.sin()), look_at, ..camera }
+    let half = (0.5 * camera.fov_y.to_radians()).tan();
+    let [right, up, forward] = axes(&camera);
+    let centre = 0.5 * (low + high);
+    let shift = 2.0 * half * camera.lens.shift;
+    // How far ahead a ball along the middle of the picture must be, to be within the planes that are its edges.
+    let ahead = |middle: f64, edge: f64| 1.0f64.hypot(middle.abs() + edge) / edge;
+    let distance = radius * ahead(shift.x, half * aspect).max(ahead(shift.y, half));
+    let position = centre - distance * (forward + shift.x * right + shift.y * up);
+    Camera { position, look_at: position + distance * forward, ..camera }
+}
+
+/// Focuses to what is so far away along the viewing axis.
+pub fn focus(camera: Camera, distance: f64) -> Camera {
+    let [nearest, farthest] = Lens::FOCUS_RANGE;
+    let focus = Focus::Distance(distance.clamp(nearest, farthest));
+    Camera { lens: Lens { focus, ..camera.lens }, ..camera }
 }
 
 fn translate(camera: Camera, by: DVec3) -> Camera {
     Camera { position: camera.position + by, look_at: camera.look_at + by, ..camera }
 }
 
-/// The camera as an entry of a scene file's `cameras`, in one line, exact.
+/// The camera as an entry of a scene file's `cameras`, in one line, exact. What is as in a camera without them is left out.
 pub fn to_ron(name: &str, camera: &Camera) -> String {
     let vector = |v: DVec3| format!("({}, {}, {})", v.x, v.y, v.z);
     let [position, look_at, up] = [camera.position, camera.look_at, camera.up].map(vector);
-    let fov_y = camera.fov_y;
-    format!("{name:?}: (position: {position}, look_at: {look_at}, up: {up}, fov_y: {fov_y}),")
+    let (fov_y, Lens { aperture, focus, shift }) = (camera.fov_y, camera.lens);
+    let aperture = if aperture == 0.0 { String::new() } else { format!(", aperture: {aperture}") };
+    let focus = match focus {
+        Focus::LookAt => String::new(),
+        Focus::Distance(distance) => format!(", focus: Distance({distance})"),
+        Focus::At(point) => format!(", focus: At({})", vector(point)),
+    };
+    let shift = if shift == DVec2::ZERO { String::new() } else { format!(", shift: ({}, {})", shift.x, shift.y) };
+    format!("{name:?}: (position: {position}, look_at: {look_at}, up: {up}, fov_y: {fov_y}{aperture}{focus}{shift}),")
 }

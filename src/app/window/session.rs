@@ -249,7 +249,7 @@ impl Session {
         if response.consumed && visible {
             self.controls.let_go(event);
         } else if let Some(intent) = self.controls.event(event, f64::from(physical_size(&self.window).y)) {
-            self.act(intent);
+            self.act(intent)?;
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! Scene files: what each field means, its range and its default.
 
+mod camera;
 mod extend;
 mod map;
 mod material;
@@ -15,6 +16,7 @@ use super::settings::{Group, SETTINGS, Settings, Value};
 use super::suggest::known_names;
 use super::turn::read_turn;
 use crate::components::{Camera, Crop, Film};
+use camera::read_camera;
 use material::read_material;
 
 pub use extend::{Chain, is_of_family, merge, no_scene, take_extends};
@@ -184,26 +186,6 @@ fn read_transform(reader: &Reader, node: &Node, path: &str) -> Option<DAffine3> 
         fields.fail("this transform flattens the model (its determinant is 0)");
     }
     fields.finish().then_some(transform)
-}
-
-/// `(position: (..), look_at: (..), up: (0, 1, 0), fov_y: 45)`
-fn read_camera(reader: &Reader, node: &Node, path: &str) -> Option<Camera> {
-    let fields = Fields::open(reader, node, path)?;
-    let position = fields.require("position", Node::vector);
-    let look_at = fields.require("look_at", Node::vector);
-    let up = fields.read("up", Node::vector).unwrap_or(DVec3::Y);
-    let fov_y = fields.read("fov_y", |node| node.number(1e-3, 179.0)).unwrap_or(45.0);
-    if let (Some(position), Some(look_at)) = (position, look_at) {
-        let view = (look_at - position).normalize_or_zero();
-        if view == DVec3::ZERO {
-            fields.fail("`position` and `look_at` are the same point");
-        } else if view.cross(up.normalize_or_zero()).length() < 1e-9 {
-            fields.fail("`up` is zero or along the view: choose another direction");
-        }
-    }
-    let sound = fields.finish();
-    let camera = Camera { position: position?, look_at: look_at?, up, fov_y };
-    sound.then_some(camera)
 }
 
 /// `(size: (512, 512), crop: (x0, x1, y0, y1), exposure: 0)`, or `(integrator: Path, sampler: Sobol, ..)`: all optional.

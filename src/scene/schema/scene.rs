@@ -2,8 +2,9 @@
 
 use schemars::{Schema, json_schema};
 
-use super::parts::{about, any, each, list, map, number, object, or_none, text, tuple, variant};
+use super::parts::{about, any, between, each, list, map, number, object, or_none, text, tuple, variant};
 use super::values::{keys, settings};
+use crate::components::Lens;
 use crate::scene::settings::Group;
 
 /// What a scene file may hold.
@@ -69,9 +70,32 @@ pub fn camera() -> Schema {
         ("look_at", tuple(3, number())),
         ("up", or_none(tuple(3, number()))),
         ("fov_y", or_none(about("degrees from the bottom of the picture to its top", number()))),
+        (
+            "aperture",
+            or_none(about("radius of the lens, scene units; 0 is a pinhole", between(0.0, Lens::MOST_APERTURE))),
+        ),
+        ("focus", or_none(focus())),
+        (
+            "shift",
+            or_none(about(
+                "of the lens to the right and up, in heights of the picture",
+                tuple(2, between(-Lens::MOST_SHIFT, Lens::MOST_SHIFT)),
+            )),
+        ),
     ];
     // What a file extends may have the others.
     object("a view: position and look_at, unless the file extends one that has them", fields, &[])
+}
+
+/// What is sharp.
+fn focus() -> Schema {
+    let [nearest, farthest] = Lens::FOCUS_RANGE;
+    let words = [
+        json_schema!({ "const": "LookAt", "description": "the point that is looked at" }),
+        variant("Distance", about("along the viewing axis, scene units", between(nearest, farthest))),
+        variant("At", about("a point of world space", tuple(3, number()))),
+    ];
+    any(words.into())
 }
 
 pub fn environment() -> Schema {

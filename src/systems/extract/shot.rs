@@ -188,6 +188,7 @@ fn shoot(
         sky_light: lighting.sky_power > 0.0,
         sun: sun.is_some(),
         lights: lighting.lights > 0,
+        lens: params.lens_radius > 0.0,
         normals: geometry.normals,
         roulette: render.roulette,
         sobol: render.sampler == Sampler::Sobol,

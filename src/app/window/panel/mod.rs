@@ -3,6 +3,7 @@
 //! Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
 //! engine finds out by itself what it makes undone.
 
+pub mod lens;
 mod maps;
 pub mod materials;
 pub mod members;
@@ -18,12 +19,13 @@ use glam::UVec2;
 
 use crate::app::window::family::Listing;
 use crate::app::window::thumbs::Thumbs;
+use crate::components::{Camera, Lens};
 use crate::engine::{Engine, EngineError};
 
 use readings::Readings;
 
 /// What a user did in the panel.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outcome {
     /// A component was written, or another view chosen.
     pub edited: bool,
@@ -31,6 +33,8 @@ pub struct Outcome {
     pub moved: bool,
     /// A camera was chosen.
     pub camera: Option<String>,
+    /// The lens as it is to be.
+    pub lens: Option<Lens>,
     /// A member of the family was chosen.
     pub member: Option<String>,
 }
@@ -41,6 +45,7 @@ impl Outcome {
         self.edited |= later.edited;
         self.moved |= later.moved;
         self.camera = later.camera.or(self.camera.take());
+        self.lens = later.lens.or(self.lens.take());
         self.member = later.member.or(self.member.take());
     }
 }
@@ -82,11 +87,13 @@ impl Panel {
         if self.open { self.readings.read(engine, pixel, began, now) } else { Ok(false) }
     }
 
-    /// Draws it, at the right side of the window. `family` are its members, the name of the one that is shown, and their pictures.
+    /// Draws it, at the right side of the window. `view` is the camera and the size of the scene; `family` are its members, the name of the one
+    /// that is shown, and their pictures.
     pub fn show(
         &self,
         ui: &mut egui::Ui,
         engine: &mut Engine,
+        (camera, size): (&Camera, f64),
         family: Option<(&Listing, &str, &mut Thumbs)>,
     ) -> Outcome {
         let mut outcome = Outcome::default();
@@ -100,7 +107,10 @@ impl Panel {
                 section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
                 section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref()));
                 section(ui, "View", true, |ui| outcome.edited |= settings::view(ui, engine));
-                section(ui, "Camera", true, |ui| outcome.camera = settings::cameras(ui, engine));
+                section(ui, "Camera", true, |ui| {
+                    outcome.camera = settings::cameras(ui, engine);
+                    outcome.lens = lens::show(ui, camera, size);
+                });
                 engine.edit(|world| {
                     section(ui, "Settings", true, |ui| outcome.edited |= settings::show(ui, world));
                     let seen =
