@@ -80,7 +80,7 @@ def diffuser():
         parts.append(fin)
     # Above the ramp is a face, behind the exhausts.
     for x in (-.585, .585):
-        parts.append(plate("fin", "trim_black", [(.118, -1.55), (.150, -2.04), (.24, -2.135), (.345, -2.10), (.345, -1.9), (.15, -1.55)], x - .008, x + .008, axes=(1, 2), up=0))
+        parts.append(plate("fin", "trim_black", [(.150, -1.68), (.205, -2.04), (.265, -2.125), (.345, -2.10), (.345, -1.9), (.20, -1.66)], x - .008, x + .008, axes=(1, 2), up=0))
     fins = joined("diffuser_fins", parts[1:])
     wall = plate("diffuser_wall", "trim_black", [(.29, -2.09), (.43, -2.06), (.43, -2.05), (.29, -2.08)], -.66, .66, axes=(1, 2), up=0)
     return [parts[0], fins, wall]
