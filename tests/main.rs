@@ -1,6 +1,8 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
 mod alias;
+mod alone;
+mod audit;
 mod bench;
 mod bsdf;
 mod camera;
@@ -30,6 +32,7 @@ mod libraries;
 mod light;
 mod lint;
 mod metrics;
+mod models;
 mod morton;
 mod mtl;
 mod mtl_maps;

@@ -60,6 +60,10 @@ fn readers_of_scenes_and_their_schema_know_the_same_fields() {
         (format!("({UNKNOWN}: 1)"), vec![]),
         (format!("(models: [(path: \"m.obj\", {UNKNOWN}: 1)])"), vec!["models", "*"]),
         (format!("(models: [(path: \"m.obj\", transform: ({UNKNOWN}: 1))])"), vec!["models", "*", "transform"]),
+        (
+            format!("(models: [(path: \"m.obj\", materials: {{ \"a\": ({UNKNOWN}: 1) }})])"),
+            vec!["models", "*", "materials", "*"],
+        ),
         (format!("(cameras: {{ \"a\": ({UNKNOWN}: 1) }})"), vec!["cameras", "*"]),
         (format!("(film: ({UNKNOWN}: 1))"), vec!["film"]),
         (format!("(render: ({UNKNOWN}: 1))"), vec!["render"]),

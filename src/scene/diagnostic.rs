@@ -184,6 +184,8 @@ pub struct Tally {
     file: PathBuf,
     pub diagnostics: Diagnostics,
     counts: BTreeMap<&'static str, u32>,
+    /// Messages since it was last asked, kept or not; none where nobody asks.
+    heard: Option<Vec<String>>,
 }
 
 impl Tally {
@@ -192,23 +194,45 @@ impl Tally {
 
     /// `file` is what the counts are reported for.
     pub fn new(file: &Path) -> Self {
-        Self { file: file.to_path_buf(), diagnostics: Diagnostics::default(), counts: BTreeMap::new() }
+        Self { file: file.to_path_buf(), diagnostics: Diagnostics::default(), counts: BTreeMap::new(), heard: None }
+    }
+
+    /// One that can be asked what was said since.
+    pub fn listening(file: &Path) -> Self {
+        Self { heard: Some(Vec::new()), ..Self::new(file) }
+    }
+
+    /// What was said since it was last asked.
+    pub fn heard(&mut self) -> Vec<String> {
+        self.heard.as_mut().map(std::mem::take).unwrap_or_default()
+    }
+
+    /// Adds a message where it is kept, and tells it where somebody asks.
+    fn say(&mut self, kept: bool, diagnostic: impl FnOnce() -> Diagnostic) {
+        if !kept && self.heard.is_none() {
+            return;
+        }
+        let diagnostic = diagnostic();
+        if let Some(heard) = &mut self.heard {
+            heard.push(diagnostic.message.clone());
+        }
+        if kept {
+            self.diagnostics.push(diagnostic);
+        }
     }
 
     /// Adds a message of a kind, made only if it is kept.
     pub fn push(&mut self, kind: &'static str, diagnostic: impl FnOnce() -> Diagnostic) {
         let count = self.counts.entry(kind).or_insert(0);
         *count = count.saturating_add(1);
-        if *count <= Self::KEPT {
-            self.diagnostics.push(diagnostic());
-        }
+        let kept = *count <= Self::KEPT;
+        self.say(kept, diagnostic);
     }
 
     /// Adds a message of a kind of which only the first matters, made only if it is the first.
     pub fn once(&mut self, kind: &'static str, diagnostic: impl FnOnce() -> Diagnostic) {
-        if self.counts.insert(kind, 1).is_none() {
-            self.diagnostics.push(diagnostic());
-        }
+        let first = self.counts.insert(kind, 1).is_none();
+        self.say(first, diagnostic);
     }
 
     /// All messages, with the counts of those that were not kept.

@@ -2,28 +2,28 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-
-use glam::DVec3;
+use std::sync::Arc;
 
 use super::assets::Assets;
-use super::bounds::Bounds;
 use super::define::Define;
 use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::environment::EnvironmentEntry;
 use super::file::{DEFAULT_CAMERA, MaterialEntry, ModelEntry, SceneFile};
+use super::framing::framing;
 use super::kind::Kind;
-use super::locate::{as_written, file_names, folder_of, relative_to};
+use super::locate::{as_written, file_names, folder_of, relative_to, stem};
 use super::model::FARTHEST;
-use super::mtl::MtlMaterial;
+use super::mtl::{Edited, MtlMaterial};
 use super::obj::read_obj;
+use super::place::{Placed, place};
 use super::read::Reading;
 use super::sky::read_sky;
 use super::suggest::{did_you_mean, known_names};
 use super::text::missing;
 use super::textures::{self, Loading};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
-use crate::components::{Camera, Environment, Texture, Transform};
+use crate::components::{Environment, Texture, Transform};
 
 /// What loading gives.
 #[derive(Clone, Debug)]
@@ -35,9 +35,20 @@ pub struct Loaded {
     pub files: Vec<PathBuf>,
     /// Pictures that are cut short: if one was saved just now, its rest may follow.
     pub unfinished: Vec<PathBuf>,
+    /// Of each material of the description, where it comes from.
+    pub origins: BTreeMap<String, Origin>,
 }
 
-/// Reads a scene file, or an OBJ file with a default camera and a constant environment.
+/// Where a material comes from.
+#[derive(Clone, Debug, Default)]
+pub struct Origin {
+    /// The library that has it; none where none has.
+    pub library: Option<Arc<Path>>,
+    /// What the scene file changed.
+    pub edited: Edited,
+}
+
+/// Reads a scene file; or an OBJ file, with a camera that sees all of it, and by day where nothing of it sends out light.
 ///
 /// `defines` change values of the scene file by field path before it is typed: `materials.teapot.ns` to `64`.
 pub fn load(scene: &Path, defines: &[Define]) -> Result<Loaded, Diagnostics> {
@@ -68,13 +79,14 @@ pub fn attempt_in(
         models: BTreeSet::new(),
         map_places: BTreeMap::new(),
         unfinished: Vec::new(),
+        origins: BTreeMap::new(),
     };
     let description = loader.load(scene, defines, loading);
     let files = loader.files.clone();
     let loaded = match description {
         Some(description) if !loader.diagnostics.has_errors() => {
-            let Loader { diagnostics, files, unfinished, .. } = loader;
-            Ok(Loaded { description, warnings: diagnostics.list, files, unfinished })
+            let Loader { diagnostics, files, unfinished, origins, .. } = loader;
+            Ok(Loaded { description, warnings: diagnostics.list, files, unfinished, origins })
         }
         _ => Err(loader.diagnostics),
     };
@@ -91,6 +103,7 @@ struct Loader<'s> {
     map_places: BTreeMap<PathBuf, Diagnostic>,
     /// Pictures that are cut short.
     unfinished: Vec<PathBuf>,
+    origins: BTreeMap<String, Origin>,
 }
 
 impl Loader<'_> {
@@ -99,23 +112,30 @@ impl Loader<'_> {
         let mut file = Reading { assets, files, diagnostics }.scene(scene, defines)?;
         let mut meshes = BTreeMap::new();
         let mut materials = BTreeMap::new();
-        let mut names = BTreeMap::new();
+        let placed = place(&file.models, &mut self.diagnostics);
         let mut models = Vec::new();
-        for entry in &file.models {
-            let name = self.add_model(scene, entry, &mut names, &mut meshes, &mut materials);
-            models.extend(name.map(|name| (name, &entry.place)));
+        for (entry, placed) in file.models.iter().zip(placed) {
+            let placed = placed.filter(|placed| self.add_model(scene, entry, placed, &mut meshes, &mut materials));
+            models.push(placed.map(|placed| placed.name));
         }
-        for entry in &mut file.materials {
-            self.find_maps(scene, entry);
-            self.edit_materials(entry, &mut materials);
+        for mut entry in edits(&mut file, &models) {
+            self.find_maps(scene, &mut entry);
+            self.edit_materials(&entry, &mut materials);
         }
-        let cameras = if file.cameras.is_empty() { default_camera(&meshes, &file) } else { file.cameras };
+        let cameras = match file.cameras {
+            none if none.is_empty() => {
+                BTreeMap::from([(DEFAULT_CAMERA.to_owned(), framing(&meshes, file.settings.film.size))])
+            }
+            cameras => cameras,
+        };
         let environment = file.environment.and_then(|entry| self.read_environment(scene, entry));
         let active = file.active.or_else(|| cameras.keys().next().cloned())?;
         let textures = self.load_textures(&meshes, &materials, loading);
         for material in materials.values_mut() {
             material.settle(|map, used| textures.contains_key(&textures::name(map, used)));
         }
+        let lit = file.dark_if_lit && is_lit(&meshes, &materials);
+        let environment = environment.filter(|_| !lit);
         let description = SceneDescription {
             name: stem(scene),
             meshes,
@@ -127,15 +147,20 @@ impl Loader<'_> {
             render: file.settings.render,
             environment,
         };
-        self.warn_of_unseen(&description, &models, scene);
+        self.warn_of_unseen(&description, models.iter().zip(&file.models), scene);
         Some(description)
     }
 
     /// Says which models can't be seen at all.
-    fn warn_of_unseen(&mut self, description: &SceneDescription, models: &[(String, &Diagnostic)], scene: &Path) {
-        for (name, place) in models {
-            if let Some(message) = unseen_model(description, name) {
-                self.diagnostics.push(Diagnostic { message, severity: Severity::Warning, ..(*place).clone() });
+    fn warn_of_unseen<'m>(
+        &mut self,
+        description: &SceneDescription,
+        models: impl Iterator<Item = (&'m Option<String>, &'m ModelEntry)>,
+        scene: &Path,
+    ) {
+        for (name, entry) in models {
+            if let Some(message) = name.as_ref().and_then(|name| unseen_model(description, name)) {
+                self.diagnostics.push(Diagnostic { message, severity: Severity::Warning, ..entry.place.clone() });
             }
         }
         let camera = description.cameras.get(&description.active);
@@ -186,47 +211,42 @@ impl Loader<'_> {
         self.map_places.get(file).cloned().unwrap_or_else(|| Diagnostic::file(Severity::Warning, file, ""))
     }
 
-    /// Adds the meshes and materials of one model under a name of its own, which it returns.
+    /// Adds the meshes and materials of one model where it is placed. Whether there is one.
     fn add_model(
         &mut self,
         scene: &Path,
         entry: &ModelEntry,
-        names: &mut BTreeMap<String, u32>,
+        Placed { name, transform }: &Placed,
         meshes: &mut BTreeMap<String, MeshEntry>,
         materials: &mut BTreeMap<String, MtlMaterial>,
-    ) -> Option<String> {
-        let path = self.find_model(scene, entry)?;
+    ) -> bool {
+        let Some(path) = self.find_model(scene, entry) else { return false };
         let imported = self.assets.model(&path, || read_obj(&path, self.assets));
         if self.models.insert(path.clone()) {
             self.diagnostics.list.extend(imported.messages.list.iter().cloned());
             self.files.extend(imported.files.iter().cloned());
         }
-        let model = imported.model.as_ref()?;
+        let Some(model) = imported.model.as_ref() else { return false };
         for (file, place) in &model.map_places {
             self.map_places.entry(file.clone()).or_insert_with(|| place.clone());
         }
-        if let Some(name) = entry.name.as_ref().filter(|name| names.contains_key(*name)) {
-            let message = format!("a model before this one is named `{name}` too");
-            self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help("give it another `name`"));
-            return None;
-        }
-        let name = unique(entry.name.clone().unwrap_or_else(|| stem(&path)), names);
-        let transform = Transform(entry.transform);
         for part in &model.meshes {
             let material = format!("{name}:{}", part.material);
-            let mesh = MeshEntry { geometry: part.geometry.clone(), transform, material };
+            let mesh = MeshEntry { geometry: part.geometry.clone(), transform: Transform(*transform), material };
             meshes.insert(format!("{name}/{}", part.name), mesh);
         }
         for (material, value) in &model.materials {
+            let origin = Origin { library: model.sources.get(material).cloned(), ..Origin::default() };
+            self.origins.insert(format!("{name}:{material}"), origin);
             materials.insert(format!("{name}:{material}"), value.clone());
         }
-        let corners = model.bounds.corners().map(|corner| entry.transform.transform_point3(corner));
+        let corners = model.bounds.corners().map(|corner| transform.transform_point3(corner));
         if !corners.iter().all(|corner| corner.abs().max_element() <= FARTHEST) {
             let message = format!("this model reaches beyond {FARTHEST:e} units in world space");
             let help = "scale it down: single precision can't hold such distances";
             self.diagnostics.push(Diagnostic { message, ..entry.place.clone() }.help(help));
         }
-        Some(name)
+        true
     }
 
     /// The file of a model, if it is one.
@@ -282,6 +302,8 @@ impl Loader<'_> {
                     let told = self.diagnostics.list.contains(&error);
                     self.diagnostics.list.extend((!told).then_some(error));
                 }
+                let origin = self.origins.entry(key.clone()).or_default();
+                origin.edited.extend(entry.edit.fields().map(|field| (field, entry.place.clone())));
                 found = true;
                 if glass && !material.is_glass() {
                     let (illum, look) = (material.illum, material.appearance().kind);
@@ -313,38 +335,23 @@ pub fn bare(key: &str) -> &str {
     key.split_once(':').map_or(key, |(_, name)| name)
 }
 
-/// A file's name without folder and extension.
-fn stem(path: &Path) -> String {
-    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+/// Whether something sends out light.
+fn is_lit(meshes: &BTreeMap<String, MeshEntry>, materials: &BTreeMap<String, MtlMaterial>) -> bool {
+    let mut used = meshes.values().filter_map(|mesh| materials.get(&mesh.material));
+    used.any(|material| material.ke.max_element() > 0.0)
 }
 
-/// The name itself, or for its second use `name-2`, and so on.
-fn unique(name: String, names: &mut BTreeMap<String, u32>) -> String {
-    let count = names.entry(name.clone()).or_insert(0);
-    *count += 1;
-    if *count == 1 {
-        return name;
+/// All changes of materials, those that count over others behind them: what the scene says of a name, what a model says of its own, and
+/// what the scene says of one model's. `models` are the names of those that there are.
+fn edits(file: &mut SceneFile, models: &[Option<String>]) -> Vec<MaterialEntry> {
+    let full = file.materials.iter().position(|entry| entry.name.contains(':')).unwrap_or(file.materials.len());
+    let full = file.materials.split_off(full);
+    let mut edits = std::mem::take(&mut file.materials);
+    for (model, entry) in models.iter().zip(&mut file.models) {
+        let own = std::mem::take(&mut entry.materials).into_iter();
+        let named = |name: &String, own: MaterialEntry| MaterialEntry { name: format!("{name}:{}", own.name), ..own };
+        edits.extend(own.filter_map(|own| Some(named(model.as_ref()?, own))));
     }
-    let numbered = format!("{name}-{count}");
-    unique(numbered, names)
-}
-
-/// A camera that sees all meshes, from the front, a little right and above.
-fn default_camera(meshes: &BTreeMap<String, MeshEntry>, file: &SceneFile) -> BTreeMap<String, Camera> {
-    let points = meshes.values().flat_map(|mesh| {
-        let used = mesh.geometry.triangles.iter().flatten();
-        used.map(|index| mesh.transform.0.transform_point3(mesh.geometry.positions[*index as usize]))
-    });
-    let bounds = Bounds::of(points);
-    let Bounds { low, high } = bounds;
-    let (centre, radius) = match bounds.is_empty() {
-        true => (DVec3::ZERO, 1.0),
-        false => ((low + high) / 2.0, ((high - low).length() / 2.0).max(1e-9)),
-    };
-    let fov_y = 40.0_f64;
-    let aspect = f64::from(file.settings.film.size.x) / f64::from(file.settings.film.size.y);
-    let half = (fov_y.to_radians() / 2.0).tan() * aspect.min(1.0);
-    let distance = radius / half.atan().sin();
-    let position = centre + DVec3::new(0.4, 0.3, 1.0).normalize() * distance;
-    BTreeMap::from([(DEFAULT_CAMERA.to_owned(), Camera { position, look_at: centre, fov_y, ..Camera::default() })])
+    edits.extend(full);
+    edits
 }

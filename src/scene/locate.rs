@@ -121,3 +121,8 @@ fn entries(folder: &Path) -> Vec<(OsString, String)> {
         })
         .collect()
 }
+
+/// A file's name without folder and extension.
+pub fn stem(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}

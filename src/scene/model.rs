@@ -1,7 +1,7 @@
 //! What every importer of models yields, whatever format it reads.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::bounds::Bounds;
@@ -31,6 +31,8 @@ pub struct Model {
     pub meshes: Vec<ModelMesh>,
     /// By the names that the meshes have.
     pub materials: BTreeMap<String, MtlMaterial>,
+    /// The library that each material is of, where one has it.
+    pub sources: BTreeMap<String, Arc<Path>>,
     /// By the files that maps name: the first statement that does, as a warning without its message.
     pub map_places: BTreeMap<PathBuf, Diagnostic>,
     /// Model space.

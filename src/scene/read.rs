@@ -2,8 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use glam::DAffine3;
-
 use super::assets::Assets;
 use super::define::Define;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
@@ -16,6 +14,9 @@ use super::text::Text;
 
 /// Bytes that a scene file may have.
 pub const SCENE_LIMIT: u64 = 4 << 20;
+
+/// What a model by itself is a scene of.
+const ALONE: &str = "(environment: Sky(sun: (45, 30)))";
 
 /// Where files are read, and what comes of it beside the scene.
 pub struct Reading<'r> {
@@ -36,11 +37,12 @@ impl Reading<'_> {
         let kind = Kind::of(scene).inspect_err(|_| self.files.push(scene.to_path_buf()))?;
         match kind {
             Some(Kind::Model) => {
-                let text = Text::new(scene, "(environment: Constant(1.0))".to_owned());
+                let text = Text::new(scene, ALONE.to_owned());
                 let mut file = self.typed(parse(&text)?, defines)?;
+                file.dark_if_lit = !defines.iter().any(|define| define.path.split('.').next() == Some("environment"));
                 let path = scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 let place = Diagnostic::file(Severity::Error, scene, "");
-                file.models.insert(0, ModelEntry { path, name: None, transform: DAffine3::IDENTITY, place });
+                file.models.insert(0, ModelEntry::alone(path, place));
                 Ok(file)
             }
             Some(Kind::Library) => {

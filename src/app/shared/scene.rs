@@ -94,7 +94,9 @@ impl SceneFlags {
         }
         let mut settings = Settings { film: description.film, render: description.render };
         self.settings.apply(&mut settings);
+        let size = description.film.size;
         Settings { film: description.film, render: description.render } = settings;
+        scene::reframe(description, size);
         let film = &description.film;
         if let Some(crop) = film.crop
             && crop.max.cmpgt(film.size).any()

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::entries::read_entries;
 use super::map::{FoundMap, MapEdit, read_map};
 use crate::scene::diagnostic::{Diagnostic, Severity};
 use crate::scene::keys::{KEYS, Key, Range, Value};
@@ -57,8 +58,13 @@ impl MaterialEdit {
         errors
     }
 
+    /// The fields that it gives.
+    pub fn fields(&self) -> impl Iterator<Item = &'static str> {
+        self.given.iter().chain(self.maps.iter().map(|(key, _)| key)).map(|key| key.scene)
+    }
+
     fn gives(&self, field: &str) -> bool {
-        self.given.iter().chain(self.maps.iter().map(|(key, _)| key)).any(|key| key.scene == field)
+        self.fields().any(|given| given == field)
     }
 
     /// Reads the field of a key, where it is there and right.
@@ -90,8 +96,17 @@ impl MaterialEdit {
     }
 }
 
+/// `{ "name": (kd: (..), ..), .. }`
+pub fn read_materials(reader: &Reader, node: &Node, path: &str) -> Vec<MaterialEntry> {
+    let read = |reader: &Reader, node: &Node, path: &str| {
+        Some((read_material(reader, node, path)?, node.text.error(node.source, "")))
+    };
+    let entries = read_entries(reader, node, path, read).into_iter();
+    entries.map(|(name, (edit, place))| MaterialEntry { name, edit, place }).collect()
+}
+
 /// `(kd: (..), ks: (..), ns: 64, ke: (..), ..)`, all optional.
-pub fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<MaterialEdit> {
+fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<MaterialEdit> {
     let fields = Fields::open(reader, node, path)?;
     let mut edit = MaterialEdit::default();
     KEYS.iter().for_each(|key| edit.read(key, &fields));
@@ -102,8 +117,8 @@ pub fn read_material(reader: &Reader, node: &Node, path: &str) -> Option<Materia
     fields.finish().then_some(edit)
 }
 
-/// The field that a plain value at a path stands for: `materials.x.map_kd`, written as a file, is its `file`.
+/// The field that a plain value at a path stands for: `materials.x.map_kd`, written as a file, is its `file`; also of a model's own.
 pub fn plain_field(path: &[&str]) -> Option<&'static str> {
-    let ["materials", _, field] = path else { return None };
+    let (["materials", _, field] | ["models", _, "materials", _, field]) = path else { return None };
     KEYS.iter().any(|key| key.scene == *field && matches!(key.value, Value::Map(..))).then_some("file")
 }

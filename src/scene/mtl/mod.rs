@@ -16,6 +16,8 @@ mod alone;
 mod appearance;
 mod draft;
 mod exporter;
+mod fate;
+mod ledger;
 mod maps;
 mod material;
 mod options;
@@ -30,9 +32,12 @@ use super::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
 use super::lines::{Line, Lines, unquoted};
 use super::text;
 use draft::{Draft, Habits};
+use ledger::Ledger;
 use maps::MapFiles;
 
 pub use appearance::Appearance;
+pub use fate::{Fate, Verdict};
+pub use ledger::{Account, Edited};
 pub use material::MtlMaterial;
 pub use texture_map::{TextureMap, TextureMaps};
 
@@ -51,19 +56,52 @@ pub struct Library {
 /// Reads a file. `None` where the file can't be read; its messages say why.
 pub fn read_mtl(file: &Path, diagnostics: &mut Diagnostics) -> Option<Library> {
     let mut tally = Tally::new(file);
-    let library = match text::open(file, LIMIT) {
-        Ok(handle) => read_lines(file, Lines::new(BufReader::new(handle), file), &mut tally),
-        Err(error) => {
-            tally.diagnostics.push(error);
-            None
-        }
-    };
+    let read = read_file(file, &mut tally, &mut Ledger::default());
+    let library = read.map(|(drafts, map_places)| {
+        let (materials, _) = judge(&drafts, &mut tally);
+        let names = drafts.iter().map(|draft| draft.name().to_owned());
+        Library { materials: names.zip(materials).collect(), map_places }
+    });
     diagnostics.list.extend(tally.finish());
     library
 }
 
-/// Reads statement by statement, then judges what was read.
-fn read_lines(file: &Path, mut lines: Lines<impl std::io::BufRead>, tally: &mut Tally) -> Option<Library> {
+/// The statements of each material of a file, and how they are read. Its messages are those of [`read_mtl`].
+pub fn read_accounts(file: &Path, diagnostics: &mut Diagnostics) -> BTreeMap<String, Account> {
+    let mut tally = Tally::listening(file);
+    let mut ledger = Ledger::new();
+    let read = read_file(file, &mut tally, &mut ledger);
+    let accounts = read.map(|(drafts, _)| {
+        let (materials, habits) = judge(&drafts, &mut tally);
+        let account = |(draft, material): (&Draft, MtlMaterial)| {
+            (draft.name().to_owned(), ledger.account(draft, material, habits))
+        };
+        drafts.iter().zip(materials).map(account).collect()
+    });
+    diagnostics.list.extend(tally.finish());
+    accounts.unwrap_or_default()
+}
+
+/// What a file's statements say, material by material; and the files that maps name.
+type Read = (Vec<Draft>, BTreeMap<PathBuf, Diagnostic>);
+
+fn read_file(file: &Path, tally: &mut Tally, ledger: &mut Ledger) -> Option<Read> {
+    match text::open(file, LIMIT) {
+        Ok(handle) => read_lines(file, Lines::new(BufReader::new(handle), file), tally, ledger),
+        Err(error) => {
+            tally.diagnostics.push(error);
+            None
+        }
+    }
+}
+
+/// Reads statement by statement.
+fn read_lines(
+    file: &Path,
+    mut lines: Lines<impl std::io::BufRead>,
+    tally: &mut Tally,
+    ledger: &mut Ledger,
+) -> Option<Read> {
     let mut files = MapFiles::new(file.parent().unwrap_or(Path::new("")));
     let mut line = Line::default();
     let mut drafts = Drafts::default();
@@ -79,8 +117,10 @@ fn read_lines(file: &Path, mut lines: Lines<impl std::io::BufRead>, tally: &mut 
         let Some((key, rest)) = line.statement() else { continue };
         if key.eq_ignore_ascii_case("newmtl") {
             drafts.start(&line, key, unquoted(rest), tally);
+            ledger.start(unquoted(rest));
         } else if let Some(draft) = drafts.current() {
-            draft.read(&line, key, rest, &mut files, tally);
+            let taken = draft.read(&line, key, rest, &mut files, tally);
+            ledger.note(&line, key, rest, taken, tally);
         } else {
             tally.push("statements before newmtl", || {
                 line.warning(key, format!("`{key}` stands before any `newmtl` and is left out"))
@@ -96,18 +136,18 @@ fn read_lines(file: &Path, mut lines: Lines<impl std::io::BufRead>, tally: &mut 
         let warning = Diagnostic::file(Severity::Warning, file, message);
         tally.diagnostics.push(warning.help("a material begins with `newmtl NAME`"));
     }
-    Some(Library { materials: judge(&drafts.list, tally), map_places: files.places })
+    Some((drafts.list, files.places))
 }
 
 /// What the drafts of a whole library come to.
-fn judge(drafts: &[Draft], tally: &mut Tally) -> Vec<(String, MtlMaterial)> {
+fn judge(drafts: &[Draft], tally: &mut Tally) -> (Vec<MtlMaterial>, Habits) {
     let habits = Habits::of(drafts);
     let materials: Vec<MtlMaterial> = drafts.iter().map(|draft| draft.material(habits)).collect();
     for (draft, material) in drafts.iter().zip(&materials) {
         draft.warn_of(material, habits, tally);
     }
     habits.warn(drafts, &materials, tally);
-    drafts.iter().map(|draft| draft.name().to_owned()).zip(materials).collect()
+    (materials, habits)
 }
 
 /// The materials of a file while it is read: in its order, names unique.

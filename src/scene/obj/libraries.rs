@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::faces::Group;
 use crate::scene::assets::Assets;
@@ -25,6 +26,8 @@ pub struct Statement {
 pub struct Libraries<'s> {
     assets: &'s Assets,
     pub materials: BTreeMap<String, MtlMaterial>,
+    /// The library that each material is of.
+    pub sources: BTreeMap<String, Arc<Path>>,
     /// By the files that maps name: the first statement that does, as a warning without its message.
     pub map_places: BTreeMap<PathBuf, Diagnostic>,
     read: BTreeSet<PathBuf>,
@@ -51,6 +54,7 @@ impl<'s> Libraries<'s> {
         let mut this = Self {
             assets,
             materials: BTreeMap::new(),
+            sources: BTreeMap::new(),
             map_places: BTreeMap::new(),
             read: BTreeSet::new(),
             missing: false,
@@ -131,7 +135,9 @@ impl<'s> Libraries<'s> {
         for (file, place) in &library.map_places {
             self.map_places.entry(file.clone()).or_insert_with(|| place.clone());
         }
+        let source: Arc<Path> = path.into();
         for (name, material) in &library.materials {
+            self.sources.entry(name.clone()).or_insert_with(|| source.clone());
             self.materials.entry(name.clone()).or_insert_with(|| material.clone());
         }
     }

@@ -54,7 +54,7 @@ fn read(file: &Path, assets: &Assets, diagnostics: &mut Diagnostics, files: &mut
         Ok((models, _)) if !broken => {
             let (parts, bounds) = parts::collect(models, &groups);
             let model = assemble(&libraries, parts, bounds, &groups, diagnostics);
-            Some(Model { map_places: libraries.map_places, ..model })
+            Some(Model { map_places: libraries.map_places, sources: libraries.sources, ..model })
         }
         Ok(_) => None,
         Err(error) => {

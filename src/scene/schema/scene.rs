@@ -45,7 +45,12 @@ pub fn model() -> Schema {
     let fields = [
         ("path", text("an .obj file, relative to the folder of the file that names it")),
         ("name", or_none(text("first part of the names of its meshes and materials; without it, the file's"))),
+        (
+            "parent",
+            or_none(text("the name of the model that it moves with: its transform is in the space of that one")),
+        ),
         ("transform", or_none(transform())),
+        ("materials", or_none(map("changes of its materials alone, by their names", or_none(material())))),
     ];
     object("a model", fields, &["path"])
 }

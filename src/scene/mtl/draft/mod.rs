@@ -61,30 +61,33 @@ impl Draft {
         }
     }
 
-    /// Reads one statement.
-    pub fn read(&mut self, line: &Line, key: &str, rest: &str, files: &mut MapFiles, tally: &mut Tally) {
+    /// Reads one statement. Whether it says what a key, `Le`, `Tr` or `disp` is, or nothing that could be rendered.
+    pub fn read(&mut self, line: &Line, key: &str, rest: &str, files: &mut MapFiles, tally: &mut Tally) -> bool {
         if let Some(known) = Key::of_statement(key) {
-            if self.read_key(known, line, key, rest, files, tally).is_some() {
+            let taken = self.read_key(known, line, key, rest, files, tally).is_some();
+            if taken {
                 self.places.insert(known.scene, line.warning(key, ""));
             }
-            return;
+            return taken;
         }
         let place = || line.warning(key, "");
         match key.to_ascii_lowercase().as_str() {
-            "le" => replace(&mut self.le, colour(line, key, rest, Colour::Radiance.most_in_mtl(), tally), place),
-            "tr" => replace(&mut self.tr, scalar(line, key, rest, 0.0, 1.0, tally), place),
+            "le" => {
+                return replace(&mut self.le, colour(line, key, rest, Colour::Radiance.most_in_mtl(), tally), place);
+            }
+            "tr" => return replace(&mut self.tr, scalar(line, key, rest, 0.0, 1.0, tally), place),
             "ka" | "map_ka" | "sharpness" => tally.once("ambient light", || {
                 line.warning(key, format!("`{key}` has no meaning in path tracing; it is left out in this whole file"))
             }),
             "disp" | "map_disp" => {
                 let map = files.read(&Context { line, key, used: MapUse::Bump }, rest, tally);
-                replace(&mut self.disp, map, place);
+                return replace(&mut self.disp, map, place);
             }
             "map_ps" => tally.push("statements not honoured yet", || {
                 line.warning(key, format!("`{key}` is of sheen, which is not rendered: it is left out"))
             }),
             // Of nothing.
-            "ps" | "aniso" if words(rest).all(|word| text::number(word) == Some(0.0)) => {}
+            "ps" | "aniso" if words(rest).all(|word| text::number(word) == Some(0.0)) => return true,
             // The shape of what `aniso` asks for.
             "anisor" => {}
             "ps" | "aniso" | "map_pc" | "map_pcr" | "decal" | "refl" | "map_refl" | "map_aat" => {
@@ -100,6 +103,7 @@ impl Draft {
                 }
             }),
         }
+        false
     }
 
     /// Reads the value of a key; none where it is wrong, and what was given before counts.
@@ -146,6 +150,11 @@ impl Draft {
     /// Its name.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// `illum` as it is written, whatever it is taken as.
+    pub fn written_illum(&self) -> u32 {
+        self.given.illum
     }
 
     /// `Tr`, where no `d` says what it means, and its place.
@@ -207,6 +216,12 @@ impl Draft {
         if self.is_named_light() { (le, ke) } else { (ke, le) }
     }
 
+    /// Whether `Le` is what it emits.
+    pub fn counts_le(&self) -> bool {
+        let (ke, le) = (self.given.ke, self.le.as_ref().map_or(Vec3::ZERO, |(colour, _)| *colour));
+        le != Vec3::ZERO && (self.is_named_light() || ke == Vec3::ZERO)
+    }
+
     /// `Ke` or `Le`: where both glow, `Le` counts in a material named `*_light`, else `Ke`.
     fn emission(&self) -> Vec3 {
         let (first, second) = self.glows();
@@ -236,9 +251,11 @@ fn without_halo<'a>(line: &Line, rest: &'a str, tally: &mut Tally) -> &'a str {
     value
 }
 
-/// Keeps a new value with its place, if there is one.
-fn replace<T>(slot: &mut Option<(T, Diagnostic)>, value: Option<T>, place: impl FnOnce() -> Diagnostic) {
+/// Keeps a new value with its place, if there is one. Whether there is.
+fn replace<T>(slot: &mut Option<(T, Diagnostic)>, value: Option<T>, place: impl FnOnce() -> Diagnostic) -> bool {
+    let given = value.is_some();
     if let Some(value) = value {
         *slot = Some((value, place()));
     }
+    given
 }

@@ -1,5 +1,7 @@
 //! `lucerna check`: assets and shaders, nothing rendered.
 
+mod materials;
+
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -20,10 +22,19 @@ use crate::shader::{Library, ShaderError};
 pub struct CheckArguments {
     /// Assets (.ron, .obj, .mtl) or folders of them [default: the folder assets, and all shaders]
     pub paths: Vec<PathBuf>,
+    /// Say of every statement of every material whether it is honoured, approximated or ignored, and why
+    #[arg(long, requires = "paths")]
+    pub materials: bool,
+    /// With --materials: as one JSON object
+    #[arg(long, requires = "materials")]
+    pub json: bool,
 }
 
 /// Checks what was named; without names, the folder of assets and every shader.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
+    if arguments.materials {
+        return materials::run(&arguments.paths, arguments.json);
+    }
     let mut errors = 0;
     let mut warnings = 0;
     let mut files = 0;
