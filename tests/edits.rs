@@ -200,6 +200,7 @@ fn a_scene_far_from_zero_is_the_scene_at_zero() {
             )]
             .into(),
             active: "front".into(),
+            lights: Default::default(),
             film: Film { size: UVec2::splat(16), ..Default::default() },
             render: Render { spp: 8, ..Default::default() },
             environment: None,
@@ -230,6 +231,7 @@ fn two_quads() -> SceneDescription {
         )]
         .into(),
         active: "front".into(),
+        lights: Default::default(),
         film: Film { size: UVec2::splat(16), ..Default::default() },
         render: Render { spp: 4, ..Default::default() },
         environment: Some(Environment::Constant(Vec3::splat(0.25))),

@@ -24,8 +24,8 @@ struct Lamp {
 const OVERHEAD: Lamp =
     Lamp { centre: DVec3::new(0.3, 0.8, 0.1), normal: DVec3::NEG_Y, side: 2e-6, one_sided: false, emission: 7.0 };
 
-const ALBEDO: f32 = 0.5;
-const SEEN: DVec3 = DVec3::new(0.1, 0.0, -0.2);
+pub const ALBEDO: f32 = 0.5;
+pub const SEEN: DVec3 = DVec3::new(0.1, 0.0, -0.2);
 
 impl Lamp {
     fn room(&self) -> Room {
@@ -56,7 +56,12 @@ impl Lamp {
 
 /// The mean radiance that leaves the point the camera sees, and its standard error.
 fn seen(room: &Room, layers: u32) -> (f64, f64) {
-    let mut params = TraceParams { layers, max_depth: 2, ..room.params(UVec2::splat(16)) };
+    seen_of(room, layers, 2)
+}
+
+/// The same, of paths of so many segments.
+pub fn seen_of(room: &Room, layers: u32, max_depth: u32) -> (f64, f64) {
+    let mut params = TraceParams { layers, max_depth, ..room.params(UVec2::splat(16)) };
     let view =
         Camera { position: DVec3::new(0.4, 0.5, 0.7), look_at: SEEN, up: DVec3::Y, fov_y: 1e-4, ..Camera::default() };
     camera::aim(&mut params, &view, UVec2::splat(16), DVec3::ZERO);

@@ -44,6 +44,7 @@ mod passes;
 mod path;
 mod pictures;
 mod player;
+mod point_lights;
 mod prepare;
 mod reload;
 mod rooms;

@@ -7,7 +7,7 @@ use lucerna::cpu::rng::Source;
 use lucerna::cpu::tree;
 use lucerna::gpu::Runtime;
 use lucerna::layout::film::film_exponent;
-use lucerna::layout::light::LightTable;
+use lucerna::layout::light::{LightTable, PointLightRecord};
 use lucerna::layout::sky::{SkyTable, Sun};
 use lucerna::layout::trace::{MaterialRecord, Shading, TraceParams};
 use lucerna::layout::tree::{Triangle, root};
@@ -15,7 +15,7 @@ use lucerna::passes::Recording;
 use lucerna::passes::trace;
 use lucerna::prepare::camera;
 use lucerna::prepare::lighting::Lighting;
-use lucerna::prepare::material;
+use lucerna::prepare::{material, point};
 
 /// A scene as the trace kernel gets it.
 #[derive(Clone, Default)]
@@ -31,6 +31,8 @@ pub struct Room {
     pub sky_turn: DMat3,
     /// Beside that picture.
     pub sun: Option<Sun>,
+    /// Asked directly by both integrators.
+    pub points: Vec<PointLightRecord>,
     pub roulette: bool,
     pub sampler: Source,
     /// Integrator `Path`: lights are asked directly.
@@ -183,6 +185,7 @@ impl Room {
         let lighting = Lighting {
             lights: table.lights.len() as u32,
             light_density: table.density,
+            points_alone: !self.next_event,
             sky: self.sky.as_ref().map_or(UVec2::ZERO, |sky| sky.size),
             sky_turn: self.sky_turn.as_mat3(),
             sky_power: self.sky_power(),
@@ -194,10 +197,9 @@ impl Room {
 
     /// The lights that are asked directly.
     pub fn lights(&self) -> LightTable {
-        match self.next_event {
-            true => LightTable::new(self.triangles.iter().copied(), &self.materials),
-            false => LightTable::default(),
-        }
+        let asked = if self.next_event { &self.triangles[..] } else { &[] };
+        let sent = asked.iter().map(|triangle| (*triangle, self.materials[triangle.material as usize].emission));
+        LightTable::of(sent, &self.materials, &self.points)
     }
 
     /// Of the sky as it is asked directly.
@@ -209,6 +211,7 @@ impl Room {
     pub fn exponent(&self) -> i32 {
         let sun = self.sun.map_or(Vec3::ZERO, |sun| sun.radiance);
         let brightest = sun.max(self.environment).max(Vec3::splat(self.sky.as_ref().map_or(0.0, |sky| sky.brightest)));
+        let brightest = brightest.max(Vec3::splat(point::brightest(self.points.iter().copied(), 1.0)));
         film_exponent(trace::largest_emission(&self.materials, &[], &[], brightest))
     }
 
@@ -228,6 +231,7 @@ impl Room {
             normals,
             roulette,
             lights,
+            point_lights: !self.points.is_empty(),
             lens: self.lens.aperture > 0.0,
             sobol,
         }
@@ -241,7 +245,7 @@ impl Room {
             rig.upload("sky", &sky.cells).unwrap();
             rig.upload("sky_columns", &sky.columns).unwrap();
         }
-        if self.next_event && !self.lights().lights.is_empty() {
+        if !self.lights().lights.is_empty() {
             rig.upload("lights", &self.lights().lights).unwrap();
         }
         rig.upload("leaves", &tree.leaves).unwrap();
@@ -258,7 +262,7 @@ impl Room {
         let mut scene = PathScene::new(&self.triangles, &self.materials);
         scene.shading = &self.shading;
         scene.roulette = self.roulette;
-        scene.lights = self.next_event.then(|| self.lights());
+        scene.lights = (self.next_event || !self.points.is_empty()).then(|| self.lights());
         scene.sampler = self.sampler;
         scene.sky = self.sky.as_ref();
         scene.sky_turn = self.sky_turn;

@@ -65,6 +65,8 @@ fn readers_of_scenes_and_their_schema_know_the_same_fields() {
             vec!["models", "*", "materials", "*"],
         ),
         (format!("(cameras: {{ \"a\": ({UNKNOWN}: 1) }})"), vec!["cameras", "*"]),
+        (format!("(lights: {{ \"a\": Point({UNKNOWN}: 1) }})"), vec!["lights", "*", "Point"]),
+        (format!("(lights: {{ \"a\": Spot({UNKNOWN}: 1) }})"), vec!["lights", "*", "Spot"]),
         (format!("(film: ({UNKNOWN}: 1))"), vec!["film"]),
         (format!("(render: ({UNKNOWN}: 1))"), vec!["render"]),
         (format!("(environment: Map(path: \"t.png\", {UNKNOWN}: 1))"), vec!["environment", "Map"]),
@@ -216,6 +218,7 @@ fn what_is_shipped_fits_and_what_is_wrong_does_not() {
         "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), aperture: 1, focus: Distance(2), shift: (0, -1)) })",
         "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), focus: At((0, 0, 0))) })",
         "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), focus: LookAt) })",
+        "(lights: { \"a\": Point(position: (0, 0, 1), intensity: 2), \"b\": Spot(angle: 30, blend: 1), \"c\": None })",
         "(extends: \"b.ron\", materials: { \"a\": (map_ns: (file: \"a.png\", scale: 2, clamp: (true, false), channel: Red)) })",
     ] {
         assert!(fits(right).0, "{right}");
@@ -231,6 +234,9 @@ fn what_is_shipped_fits_and_what_is_wrong_does_not() {
         "(cameras: { \"a\": (position: (0, 0)) })",
         "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), aperture: -1) })",
         "(cameras: { \"a\": (position: (0, 0, 1), look_at: (0, 0, 0), focus: 2) })",
+        "(lights: { \"a\": Point(intensity: -1) })",
+        "(lights: { \"a\": Spot(blend: 2) })",
+        "(lights: { \"a\": Sun() })",
         "(materials: { \"a\": (pr: 1.5) })",
         "(materials: { \"a\": (map_kd: (channel: Red)) })",
     ] {

@@ -46,6 +46,7 @@ fn describe(triangles: &[Triangle]) -> SceneDescription {
         textures: Default::default(),
         cameras: [("front".into(), camera)].into(),
         active: "front".into(),
+        lights: Default::default(),
         film: Film { size: UVec2::splat(8), ..Default::default() },
         render: Render { spp: 1, max_depth: 3, ..Default::default() },
         environment: Some(Environment::Constant(Vec3::splat(0.25))),

@@ -3,9 +3,10 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use super::alias::alias_pick;
+use super::point::point_intensity;
 use super::sky::{draw_sky, sky_arriving};
 use super::sun::SunDisk;
-use crate::layout::light::{LightRecord, LightTable};
+use crate::layout::light::{LightRecord, LightTable, PointLightRecord};
 use crate::layout::sky::SkyTable;
 use crate::layout::trace::luminance;
 
@@ -14,10 +15,14 @@ use crate::layout::trace::luminance;
 pub struct LightSample {
     /// Unit length.
     pub direction: DVec3,
-    /// By solid angle, of lights, sky and sun together; 0 where nothing arrives.
+    /// By solid angle, of lights, sky and sun together; 0 where nothing arrives. Of a point light the probability with which it is drawn,
+    /// times the square of the distance.
     pub pdf: f64,
+    /// Of a point light, its intensity.
     pub radiance: DVec3,
-    /// Index of the light's triangle in scene order; none for the sky.
+    /// How far away a point light is; none of all that a ray could have found.
+    pub point: Option<f64>,
+    /// Index of the light's triangle in scene order; none for the sky and for points.
     pub triangle: Option<u32>,
     /// Weights of its second and third corner.
     pub weights: [f64; 2],
@@ -32,6 +37,10 @@ pub struct LightSampler<'a> {
     pub sky_turn: DMat3,
     /// Probability of sampling one of the lights, and not the sky.
     pub light_share: f64,
+    /// Density by area with which a point of a triangle of unit luminance and one side is drawn.
+    pub light_density: f64,
+    /// Probability with which a point light of unit power is drawn.
+    pub point_density: f64,
     /// None without one; sampled if the sky is.
     pub sun: Option<SunDisk>,
     /// Picks from `light_share` to this are of the sun.
@@ -48,12 +57,9 @@ impl LightSampler<'_> {
                     _ => self.sky_turn * draw_sky(sky, u).direction,
                 };
                 let (radiance, pdf) = self.beyond(sky, direction);
-                LightSample { direction, pdf, radiance, triangle: None, weights: [0.0; 2] }
+                LightSample { direction, pdf, radiance, point: None, triangle: None, weights: [0.0; 2] }
             }
-            _ => {
-                let drawn = draw_light(self.lights, position, pick / self.light_share, u);
-                LightSample { pdf: drawn.pdf * self.light_share, ..drawn }
-            }
+            _ => self.draw_light(position, pick / self.light_share, u),
         }
     }
 
@@ -61,8 +67,7 @@ impl LightSampler<'_> {
     pub fn light_pdf(&self, triangle: u32, area_normal: DVec3, direction: DVec3, distance: f64) -> Option<f64> {
         let lights = &self.lights.lights;
         let at = lights.binary_search_by_key(&triangle, |light| light.triangle).ok()?;
-        let area_pdf = self.light_share * area_pdf(self.lights, &lights[at]);
-        Some(solid_angle_pdf(area_pdf, area_normal, direction, distance))
+        Some(solid_angle_pdf(self.area_pdf(&lights[at]), area_normal, direction, distance))
     }
 
     /// The density with which a direction that was found to meet the sky is drawn; none if that is not sampled.
@@ -79,34 +84,52 @@ impl LightSampler<'_> {
             None => (radiance, pdf),
         }
     }
-}
 
-/// A light by its power, by one number, and a point of it, by two. There is at least one light.
-fn draw_light(table: &LightTable, position: DVec3, pick: f64, u: DVec2) -> LightSample {
-    let lights = &table.lights;
-    let (column, rest) = alias_pick(pick, lights.len());
-    let own = rest < f64::from(lights[column].threshold);
-    let light = &lights[if own { column } else { lights[column].other as usize }];
-    let [a, b, c] = [light.a, light.b, light.c].map(|corner| corner.as_dvec3());
-    let half = 0.5 * u.min_element();
-    let weights = u - half;
-    let offset = a + weights.x * (b - a) + weights.y * (c - a) - position;
-    let distance = offset.length();
-    let direction = offset / distance;
-    let area_normal = (b - a).cross(c - a);
-    let lit = light.sides() == 2 || area_normal.dot(direction) < 0.0;
-    let pdf = solid_angle_pdf(area_pdf(table, light), area_normal, direction, distance);
-    LightSample {
-        direction,
-        pdf: if lit { pdf } else { 0.0 },
-        radiance: light.emission.as_dvec3(),
-        triangle: Some(light.triangle),
-        weights: weights.to_array(),
+    /// A light by its power, by one number, and a point of it, by two. There is at least one light.
+    fn draw_light(&self, position: DVec3, pick: f64, u: DVec2) -> LightSample {
+        let lights = &self.lights.lights;
+        let (column, rest) = alias_pick(pick, lights.len());
+        let own = rest < f64::from(lights[column].threshold);
+        let light = &lights[if own { column } else { lights[column].other as usize }];
+        if let Some(point) = light.point() {
+            return self.draw_point(&point, position);
+        }
+        let [a, b, c] = [light.a, light.b, light.c].map(|corner| corner.as_dvec3());
+        let half = 0.5 * u.min_element();
+        let weights = u - half;
+        let offset = a + weights.x * (b - a) + weights.y * (c - a) - position;
+        let distance = offset.length();
+        let direction = offset / distance;
+        let area_normal = (b - a).cross(c - a);
+        let lit = light.sides() == 2 || area_normal.dot(direction) < 0.0;
+        let pdf = solid_angle_pdf(self.area_pdf(light), area_normal, direction, distance);
+        LightSample {
+            direction,
+            pdf: if lit { pdf } else { 0.0 },
+            radiance: light.emission.as_dvec3(),
+            point: None,
+            triangle: Some(light.triangle),
+            weights: weights.to_array(),
+        }
     }
-}
 
-fn area_pdf(table: &LightTable, light: &LightRecord) -> f64 {
-    f64::from(luminance(light.emission)) * f64::from(light.sides()) * f64::from(table.density)
+    fn draw_point(&self, light: &PointLightRecord, position: DVec3) -> LightSample {
+        let offset = light.position.as_dvec3() - position;
+        let distance = offset.length();
+        let direction = offset.normalize_or_zero();
+        LightSample {
+            direction,
+            pdf: f64::from(light.power) * self.point_density * distance * distance,
+            radiance: point_intensity(light, -direction),
+            point: Some(distance),
+            triangle: None,
+            weights: [0.0; 2],
+        }
+    }
+
+    fn area_pdf(&self, light: &LightRecord) -> f64 {
+        f64::from(luminance(light.emission)) * f64::from(light.sides()) * self.light_density
+    }
 }
 
 /// The density by solid angle of a direction of unit length that meets a light of normal `area_normal`, of any length, at a distance.

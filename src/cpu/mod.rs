@@ -13,6 +13,7 @@ pub mod morton;
 pub mod normals;
 pub mod path;
 pub mod pcg4d;
+pub mod point;
 pub mod rng;
 pub mod rng_sobol;
 pub mod sky;

@@ -34,7 +34,7 @@ pub struct PathScene<'a> {
     pub roulette: bool,
     /// Of random numbers.
     pub sampler: Source,
-    /// The lights that are sampled: integrator `Path`.
+    /// The lights that are sampled: all with integrator `Path`, points alone with `Bsdf`.
     pub lights: Option<LightTable>,
     /// A picture of the sky, in place of the constant environment; sampled as the lights are.
     pub sky: Option<&'a SkyTable>,
@@ -120,10 +120,10 @@ impl<'a> PathScene<'a> {
             let connection = sampler
                 .as_ref()
                 .map(|sampler| self.connect(sampler, &surface, &frame, position, (light, point, texturing.others.z)));
-            if let Some(light) = connection.filter(|connection| connection.light != DVec3::ZERO)
-                && self.sees(position, &light.from, key, &mut traced.rays)
-            {
-                traced.radiance += throughput * light.light;
+            if let Some(light) = connection.filter(|connection| connection.light != DVec3::ZERO) {
+                let passes = params.max_depth - 2 - bounce;
+                let seen = self.seen_part(position, &light.from, passes, key, &mut traced.rays);
+                traced.radiance += throughput * light.light * seen;
             }
             let u = self.sampler.sample_2d(key, first + SLOT_DIRECTION);
             let drawn = surface.sample(&frame, lobe, u);
@@ -179,36 +179,47 @@ impl<'a> PathScene<'a> {
     }
 
     fn frame(&self, hit: &HitF64, wo: DVec3, texturing: &Texturing) -> ShadingFrame {
-        let [a, b, c] = hit.triangle.corners;
-        let front = (b - a).cross(c - a).normalize();
+        let frame = self.mesh_frame(hit, wo);
+        let Texturing { maps, point, others, .. } = texturing;
+        if maps.relief == 0 {
+            return frame;
+        }
+        let (n, geometric) = (self.mesh_normal(hit), frame.geometric);
+        let bent = self.textures.relieved(maps, *point, hit.triangle.index, hit.b, n, others.x);
+        let [seen, side] = if n.dot(geometric) < 0.0 { [-bent, -n] } else { [bent, n] };
+        let shading = bent_to_viewer(bent_to_viewer(seen, side, geometric), geometric, wo);
+        ShadingFrame { shading, ..frame }
+    }
+
+    /// As the mesh is, without a relief.
+    fn mesh_frame(&self, hit: &HitF64, wo: DVec3) -> ShadingFrame {
+        let front = front_of(hit);
         let back_face = front.dot(wo) < 0.0;
         let geometric = if back_face { -front } else { front };
-        let facing = |n: DVec3, side: DVec3| if n.dot(side) < 0.0 { -n } else { n };
-        let smooth = self.shading.get(hit.triangle.index as usize).and_then(|n| smooth_normal(n, hit.b));
-        let n = smooth.unwrap_or(front);
-        let Texturing { maps, point, others, .. } = texturing;
-        let shading = if maps.relief != 0 {
-            let bent = self.textures.relieved(maps, *point, hit.triangle.index, hit.b, n, others.x);
-            let seen = if n.dot(geometric) < 0.0 { -bent } else { bent };
-            bent_to_viewer(bent_to_viewer(seen, facing(n, geometric), geometric), geometric, wo)
-        } else if smooth.is_some() {
-            bent_to_viewer(facing(n, geometric), geometric, wo)
-        } else {
-            geometric
-        };
+        let n = self.mesh_normal(hit);
+        let side = if n.dot(geometric) < 0.0 { -n } else { n };
+        let shading = if n == front { geometric } else { bent_to_viewer(side, geometric, wo) };
         ShadingFrame { wo, shading, geometric, back_face }
+    }
+
+    /// That of its corners, or of the flat triangle.
+    fn mesh_normal(&self, hit: &HitF64) -> DVec3 {
+        let smooth = self.shading.get(hit.triangle.index as usize).and_then(|n| smooth_normal(n, hit.b));
+        smooth.unwrap_or_else(|| front_of(hit))
     }
 
     /// What light is sampled from, if from anything.
     fn light_sampler(&self, params: &TraceParams) -> Option<LightSampler<'_>> {
         let lights = self.lights.as_ref()?;
-        let sky = self.sky.filter(|sky| sky.power > 0.0);
+        let sky = self.sky.filter(|sky| sky.power > 0.0 && params.sky_density > 0.0);
         let any = sky.is_some() || !lights.lights.is_empty();
         any.then(|| LightSampler {
             lights,
             sky,
             sky_turn: self.sky_turn,
             light_share: f64::from(params.light_share),
+            light_density: f64::from(params.light_density),
+            point_density: f64::from(params.point_density),
             sun: SunDisk::new(params),
             sun_end: f64::from(params.sun_end),
         })
@@ -236,15 +247,51 @@ impl<'a> PathScene<'a> {
         let above = from.direction.dot(frame.shading) > 0.0 && from.direction.dot(frame.geometric) > 0.0;
         let at = surface.evaluate(frame, from.direction);
         let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
-        let share = if counts { power_heuristic(from.pdf, at.pdf) / from.pdf } else { 0.0 };
+        let weight = if from.point.is_some() { 1.0 } else { power_heuristic(from.pdf, at.pdf) };
+        let share = if counts { weight / from.pdf } else { 0.0 };
         Connection { from, light: at.value * from.radiance * share }
     }
 
-    /// Whether the first thing in the direction of a light is that light.
-    fn sees(&self, position: DVec3, light: &LightSample, key: SampleKey, rays: &mut u32) -> bool {
-        let hit = self.first_hit(position, light.direction, key, rays);
-        hit.map(|hit| hit.triangle.index) == light.triangle
+    /// The part of a light that arrives: all or nothing of one that is the first thing in its direction or not, and of a point what goes straight
+    /// on through up to so many surfaces before it.
+    fn seen_part(
+        &self,
+        position: DVec3,
+        light: &LightSample,
+        mut passes: u32,
+        key: SampleKey,
+        rays: &mut u32,
+    ) -> DVec3 {
+        let (mut origin, mut part) = (position, DVec3::ONE);
+        let mut left = light.point.map(|distance| distance * (1.0 - 1e-9));
+        loop {
+            let hit = self.first_hit(origin, light.direction, key, rays);
+            let (Some(hit), Some(distance)) = (&hit, &mut left) else {
+                let seen = hit.map(|hit| hit.triangle.index) == light.triangle;
+                return if seen { part } else { DVec3::ZERO };
+            };
+            if hit.t >= *distance {
+                return part;
+            }
+            if passes == 0 {
+                return DVec3::ZERO;
+            }
+            let frame = self.mesh_frame(hit, -light.direction);
+            part *= Reflection::from(&self.materials[hit.triangle.material as usize]).passed_straight(&frame);
+            if part == DVec3::ZERO {
+                return part;
+            }
+            passes -= 1;
+            origin += hit.t * light.direction;
+            *distance -= hit.t;
+        }
     }
+}
+
+/// A triangle's normal by its winding.
+fn front_of(hit: &HitF64) -> DVec3 {
+    let [a, b, c] = hit.triangle.corners;
+    (b - a).cross(c - a).normalize()
 }
 
 /// What light counts for that was hit along a direction of such a pdf, where light sampling has another, if any: that

@@ -1,6 +1,8 @@
-//! Emitting triangles, behind an alias table over their power.
+//! Emitting triangles and point lights, behind an alias table over their power.
 
 use glam::Vec3;
+
+use super::ray::NO_HIT;
 
 gpu_struct! {
     /// An emitting triangle, and the column of the alias table at its index.
@@ -23,15 +25,46 @@ gpu_struct! {
         /// rounding can't make a ray miss the light. Below 0 where the front alone emits.
         pub shrink: f32,
     }
+
+    /// A point light, in the place of a triangle: in the row of a [`LightRecord`] whose triangle is [`NO_HIT`].
+    pub struct PointLightRecord {
+        /// World space relative to the scene's origin.
+        pub position: Vec3,
+        /// As in [`LightRecord`].
+        pub threshold: f32,
+        /// Where a spot shines, unit length; zero of a light that shines everywhere.
+        pub axis: Vec3,
+        /// As in [`LightRecord`].
+        pub other: u32,
+        /// At which 1 - cos of the angle to the axis a spot's light is gone.
+        pub fade_end: f32,
+        /// By how much the part of it that is there grows for a unit of 1 - cos less, before it is smoothed.
+        pub fade_scale: f32,
+        /// Luminance of all that it sends out, by pi, as a triangle of area A and luminance L sends A L from a side: by this it is drawn.
+        pub power: f32,
+        /// [`NO_HIT`].
+        pub triangle: u32,
+        /// Radiant intensity, along the axis of a spot; linear Rec.709.
+        pub intensity: Vec3,
+        pub pad: f32,
+    }
 }
 
-/// All emitting triangles, ready to be drawn by their power.
+const _: () = {
+    use std::mem::offset_of;
+    assert!(size_of::<PointLightRecord>() == size_of::<LightRecord>());
+    assert!(offset_of!(PointLightRecord, threshold) == offset_of!(LightRecord, threshold));
+    assert!(offset_of!(PointLightRecord, other) == offset_of!(LightRecord, other));
+    assert!(offset_of!(PointLightRecord, triangle) == offset_of!(LightRecord, triangle));
+};
+
+/// All lights, ready to be drawn by their power.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LightTable {
-    /// In scene order.
+    /// Triangles in scene order, then point lights in the order of their names.
     pub lights: Vec<LightRecord>,
-    /// 1 / the sum of all powers: a point of a light is drawn with the density `luminance * sides * density` by area. 0 without
-    /// lights.
+    /// 1 / the sum of all powers: a point of a triangle is drawn with the density `luminance * sides * density` by area, a point light with
+    /// the probability `power * density`. 0 without lights.
     pub density: f32,
 }
 
@@ -39,5 +72,23 @@ impl LightRecord {
     /// Sides that emit: 1 the front alone, or 2.
     pub fn sides(&self) -> u32 {
         if self.shrink < 0.0 { 1 } else { 2 }
+    }
+
+    /// The point light in this row, if it is one.
+    pub fn point(&self) -> Option<PointLightRecord> {
+        (self.triangle == NO_HIT).then(|| bytemuck::cast(*self))
+    }
+}
+
+impl LightTable {
+    /// Whether some of its lights are points.
+    pub fn has_points(lights: &[LightRecord]) -> bool {
+        lights.last().is_some_and(|light| light.point().is_some())
+    }
+}
+
+impl From<PointLightRecord> for LightRecord {
+    fn from(point: PointLightRecord) -> Self {
+        bytemuck::cast(PointLightRecord { triangle: NO_HIT, ..point })
     }
 }

@@ -115,11 +115,11 @@ gpu_struct! {
         pub cone_spread: f32,
         /// Radiance above this does not fit the film.
         pub largest: f32,
-        /// Number of emitting triangles.
+        /// Number of emitting triangles and point lights that are sampled.
         pub lights: u32,
         /// Probability of sampling one of them, and not the sky.
         pub light_share: f32,
-        /// Density by area with which a point of a light of unit luminance and one side is drawn.
+        /// Density by area with which a point of a triangle of unit luminance and one side is drawn; 0 where triangles are not sampled.
         pub light_density: f32,
         /// Light samples from `light_share` to this are of the sun, those beyond it of the sky.
         pub sun_end: f32,
@@ -148,7 +148,8 @@ gpu_struct! {
         pub lens_radius: f32,
         /// Distance along the viewing axis at which the lens is sharp.
         pub focus: f32,
-        pub pad0: u32,
+        /// Probability with which a point light of unit power is drawn.
+        pub point_density: f32,
     }
 
     /// One sample of one pixel, as the trace kernel leaves it for the film.

@@ -12,6 +12,7 @@ mod light;
 mod lobes;
 mod pane;
 mod path;
+mod points;
 mod random;
 mod scene;
 mod sky;
@@ -30,15 +31,17 @@ pub use random::Random;
 pub use scene::OracleError;
 
 use light::Lights;
+use points::Points;
 use scene::Scene;
 
 /// A scene, ready to be rendered.
 pub struct Oracle {
     scene: Scene,
     lights: Lights,
+    points: Points,
     /// Path segments: 1 sees emitters only. That of the scene's settings at first.
     pub max_depth: u32,
-    /// Whether every surface asks a light directly too; if not, light is found by hitting it. The mean is the same.
+    /// Whether every surface asks a light directly too; if not, light is found by hitting it, and points alone are asked. The mean is the same.
     pub ask_lights: bool,
 }
 
@@ -57,8 +60,8 @@ impl Oracle {
     /// Reads the world as the engine does: the active camera, everything else by the order of names.
     pub fn new(world: &mut World) -> Result<Self, OracleError> {
         let scene = Scene::read(world)?;
-        let lights = Lights::new(&scene);
-        Ok(Self { max_depth: scene.max_depth, ask_lights: true, scene, lights })
+        let (lights, points) = (Lights::new(&scene), Points::read(world));
+        Ok(Self { max_depth: scene.max_depth, ask_lights: true, scene, lights, points })
     }
 
     /// The samples of a range for every pixel of the window: equal ranges and seeds give equal pictures on any number of

@@ -34,6 +34,7 @@ impl Oracle {
             if self.ask_lights {
                 radiance += throughput * self.ask(origin, &facing, &bsdf, random);
             }
+            radiance += throughput * self.ask_points(origin, &facing, &bsdf, self.max_depth - segment - 1, random);
             let Some(draw) = bsdf.draw(&facing, random) else { break };
             throughput *= draw.weight;
             if throughput == DVec3::ZERO {

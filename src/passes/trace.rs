@@ -10,7 +10,7 @@ use crate::layout::trace::{
     MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MATERIAL_THIN, MaterialRecord, RadianceSample, TraceParams,
 };
 
-/// Integrators `Path` and `Bsdf`: with and without light sampling.
+/// Integrators `Path` and `Bsdf`: with and without light sampling, but for point lights.
 pub static PATH: Pass = Pass {
     name: "path",
     module: "passes/trace/path",
@@ -63,8 +63,10 @@ pub struct Needs<'a> {
     pub sky_light: bool,
     /// Beside the picture there is a sun; sampled if that is.
     pub sun: bool,
-    /// Emitting triangles are sampled.
+    /// There are lights to sample in a table: emitting triangles, or points.
     pub lights: bool,
+    /// Some of those are points.
+    pub point_lights: bool,
     /// The camera has a lens.
     pub lens: bool,
     /// Some mesh has normals of its own.
@@ -96,6 +98,7 @@ impl Needs<'_> {
             ("normals", self.normals),
             ("phong", any(MaterialRecord::has_phong)),
             ("relief", mapped(|m| m.relief != 0)),
+            ("point_lights", self.point_lights),
             ("roulette", self.roulette),
             // The two exclude each other.
             ("sky", self.sky && !self.sky_light),

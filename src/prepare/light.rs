@@ -1,9 +1,9 @@
-//! Emitting triangles to the table that lights are drawn from, by their power.
+//! Emitting triangles and point lights to the table that lights are drawn from, by their power.
 
 use glam::Vec3;
 
 use super::alias::alias_table;
-use crate::layout::light::{LightRecord, LightTable};
+use crate::layout::light::{LightRecord, LightTable, PointLightRecord};
 use crate::layout::trace::{MATERIAL_ONE_SIDED, MaterialRecord, luminance};
 use crate::layout::tree::Triangle;
 
@@ -11,12 +11,16 @@ impl LightTable {
     /// From triangles in scene order, each of which emits what its material does.
     pub fn new(triangles: impl Iterator<Item = Triangle>, records: &[MaterialRecord]) -> Self {
         let emission = |triangle: &Triangle| records.get(triangle.material as usize).map_or(Vec3::ZERO, |r| r.emission);
-        Self::of(triangles.map(|triangle| (triangle, emission(&triangle))), records)
+        Self::of(triangles.map(|triangle| (triangle, emission(&triangle))), records, &[])
     }
 
-    /// From triangles in scene order, and what each emits on average; those that emit nothing, or have no area, are left out. Empty if all
-    /// of them together are so dim that the density is beyond f32: they are left to be hit.
-    pub fn of(triangles: impl Iterator<Item = (Triangle, Vec3)>, records: &[MaterialRecord]) -> Self {
+    /// From triangles in scene order, what each emits on average, and points; lights that emit nothing, or have no area, are left out. Empty if
+    /// all of them together are so dim that the density is beyond f32: they are left to be hit.
+    pub fn of(
+        triangles: impl Iterator<Item = (Triangle, Vec3)>,
+        records: &[MaterialRecord],
+        points: &[PointLightRecord],
+    ) -> Self {
         let (mut lights, mut powers) = (Vec::new(), Vec::new());
         for (triangle, emission) in triangles {
             let Some(record) = records.get(triangle.material as usize) else { continue };
@@ -28,6 +32,10 @@ impl LightTable {
                 lights.push(LightRecord { a, b, c, triangle: index, emission, shrink, ..LightRecord::default() });
                 powers.push(power);
             }
+        }
+        for point in points.iter().filter(|point| point.power > 0.0 && point.power.is_finite()) {
+            lights.push(LightRecord::from(*point));
+            powers.push(f64::from(point.power));
         }
         for (light, column) in lights.iter_mut().zip(alias_table(&powers)) {
             (light.threshold, light.other) = (column.threshold, column.other);

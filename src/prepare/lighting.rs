@@ -10,10 +10,12 @@ use crate::layout::trace::{TraceParams, luminance};
 /// What there is to sample lights from: sizes and powers of the kernel's tables.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lighting {
-    /// Number of emitting triangles.
+    /// Number of lights in their table: emitting triangles and point lights.
     pub lights: u32,
     /// 1 / the sum of their powers, as [`LightTable`](crate::layout::light::LightTable) has it; 0 without lights.
     pub light_density: f32,
+    /// The table has point lights alone: triangles are left to be hit.
+    pub points_alone: bool,
     /// Pixels of the sky; zero without one.
     pub sky: UVec2,
     /// From directions of its picture to those of the scene: a rotation.
@@ -25,7 +27,7 @@ pub struct Lighting {
 }
 
 impl Lighting {
-    /// The part of light samples that goes to emitting triangles, in a scene whose box is `radius` from its middle to a corner.
+    /// The part of light samples that goes to triangles and point lights, in a scene whose box is `radius` from its middle to a corner.
     /// Lights and sky are sampled by the power that each sends into the scene, but none more than nine times as often.
     pub fn light_share(&self, radius: f64) -> f32 {
         match (self.lights > 0, self.sky_power > 0.0) {
@@ -60,7 +62,8 @@ impl Lighting {
     pub fn write(&self, params: &mut TraceParams, radius: f64) {
         params.light_share = self.light_share(radius);
         params.lights = self.lights;
-        params.light_density = self.light_density * params.light_share;
+        params.point_density = self.light_density * params.light_share;
+        params.light_density = if self.points_alone { 0.0 } else { params.point_density };
         (params.sky_width, params.sky_height) = (self.sky.x, self.sky.y);
         (params.sky_x, params.sky_y, params.sky_z) = (self.sky_turn.x_axis, self.sky_turn.y_axis, self.sky_turn.z_axis);
         params.sun_end = self.sun_end(params.light_share);

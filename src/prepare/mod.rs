@@ -6,6 +6,7 @@ pub mod daylight;
 pub mod light;
 pub mod lighting;
 pub mod material;
+pub mod point;
 pub mod sky;
 pub mod sky_size;
 pub mod sun;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::assets::Assets;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::kind::Kind;
+use super::lights;
 use super::load::{Loaded, attempt, bare};
 use super::mtl::{Appearance, read_mtl};
 use super::text::cannot_read;
@@ -20,11 +21,11 @@ pub struct Checked {
     /// The assets that were checked, sorted.
     pub files: Vec<PathBuf>,
     pub diagnostics: Diagnostics,
-    /// The materials of each file that no other one of them reads.
+    /// The materials and lights of each file that no other one of them reads.
     pub tables: Vec<Table>,
 }
 
-/// The materials of a scene, model or library.
+/// The materials of a scene, model or library, and the lights of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     pub file: PathBuf,
@@ -32,10 +33,10 @@ pub struct Table {
     pub rows: Vec<Row>,
 }
 
-/// What a material is taken as, and why.
+/// What a material or a light is taken as, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// Of a scene, `model:material`.
+    /// Of a scene's material, `model:material`.
     pub name: String,
     pub look: Appearance,
 }
@@ -151,7 +152,7 @@ fn check_file(path: &Path) -> Found {
 }
 
 impl Found {
-    /// Takes the messages and materials of a scene, and what its cameras miss.
+    /// Takes the messages, materials and lights of a scene, and what its cameras miss.
     fn take(&mut self, path: &Path, kind: Kind, loaded: Loaded) {
         self.diagnostics.list = loaded.warnings;
         let description = &loaded.description;
@@ -164,5 +165,7 @@ impl Found {
             let name = if kind == Kind::Model { bare(key) } else { key };
             self.rows.push(Row { name: name.to_owned(), look: material.appearance() });
         }
+        let listed = |(name, light): (&String, _)| Row { name: name.clone(), look: lights::appearance(light) };
+        self.rows.extend(description.lights.iter().map(listed));
     }
 }

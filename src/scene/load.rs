@@ -134,7 +134,7 @@ impl Loader<'_> {
         for material in materials.values_mut() {
             material.settle(|map, used| textures.contains_key(&textures::name(map, used)));
         }
-        let lit = file.dark_if_lit && is_lit(&meshes, &materials);
+        let lit = file.dark_if_lit && (is_lit(&meshes, &materials) || !file.lights.is_empty());
         let environment = environment.filter(|_| !lit);
         let description = SceneDescription {
             name: stem(scene),
@@ -143,6 +143,7 @@ impl Loader<'_> {
             textures,
             cameras,
             active,
+            lights: file.lights,
             film: file.settings.film,
             render: file.settings.render,
             environment,

@@ -21,6 +21,7 @@ mod framing;
 pub mod generate;
 mod keys;
 mod kind;
+mod lights;
 mod lines;
 mod load;
 mod locate;

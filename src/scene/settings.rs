@@ -237,7 +237,7 @@ impl Named for Integrator {
             value: Self::Bsdf,
             variant: "Bsdf",
             name: "bsdf",
-            help: "Directions from the BSDF alone; light is found by hitting it",
+            help: "Directions from the BSDF alone; light is found by hitting it, where it can be hit",
         },
     ];
 }

@@ -57,7 +57,7 @@ fn coated(mut description: SceneDescription, roughness: f32) -> SceneDescription
 }
 
 /// A floor and a wall, rough and shiny, in the open.
-fn yard(side: u32, environment: Environment) -> SceneDescription {
+pub(super) fn yard(side: u32, environment: Environment) -> SceneDescription {
     let mut description = shipped("teapot", side);
     description.meshes.clear();
     description.materials.clear();
@@ -100,7 +100,7 @@ fn day() -> Environment {
 
 /// Whether the engine and the oracle agree on a scene, `spp` samples of each a pixel and batch; and whether an error of 2.5 % in
 /// the one is seen: 6.4 standard errors of 0.3 % are 1.9 %.
-fn judge(name: &str, mut description: SceneDescription, integrator: Integrator, sampler: Sampler, spp: u32) {
+pub(super) fn judge(name: &str, mut description: SceneDescription, integrator: Integrator, sampler: Sampler, spp: u32) {
     description.render = Render { integrator, sampler, spp, roulette: true, ..description.render };
     let width = description.film.size.x;
     let mut world = World::new();

@@ -5,6 +5,7 @@ mod engine;
 mod known;
 mod lights;
 mod pictures;
+mod points;
 mod surfaces;
 
 use bevy_ecs::prelude::*;

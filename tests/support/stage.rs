@@ -5,8 +5,8 @@ use std::sync::Arc;
 use bevy_ecs::prelude::*;
 use glam::{DMat3, DVec3, UVec2, Vec3};
 use lucerna::components::{
-    self, Active, Camera, Environment, EnvironmentMap, Film, Geometry, Lens, Material, MeshData, Render, Transform,
-    UsesMaterial,
+    self, Active, Camera, Environment, EnvironmentMap, Film, Geometry, Lens, Light, Material, MeshData, Render,
+    Transform, UsesMaterial,
 };
 use lucerna::oracle::Oracle;
 use lucerna::scene::MtlMaterial;
@@ -56,6 +56,10 @@ impl Stage {
 
     pub fn sky(&mut self, environment: Environment) {
         self.world.spawn((Name::new("sky"), environment));
+    }
+
+    pub fn light(&mut self, light: Light) {
+        self.world.spawn((Name::new("light"), light));
     }
 
     pub fn mesh(&mut self, mesh: MeshData, material: Material) {

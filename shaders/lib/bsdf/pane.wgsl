@@ -11,12 +11,24 @@ import package::lib::bsdf::frame::{BsdfSample, ShadingFrame, is_above};
 @if(thin) import package::lib::bsdf::frame::{mirror_direction};
 import package::lib::colour::{luminance};
 
-@if(thin)
-fn pane_sample(m: MaterialRecord, frame: ShadingFrame, pick: f32) -> BsdfSample {
-    let r = fresnel(interface_of(m.ni, false), dot(frame.wo, frame.shading)).reflectance;
+// What becomes of light.
+struct PaneSplit {
+    reflected: vec3<f32>,
+    passed: vec3<f32>,
+}
+
+fn pane_split(m: MaterialRecord, cos_theta: f32) -> PaneSplit {
+    let r = fresnel(interface_of(m.ni, false), cos_theta).reflectance;
     let between = max((1.0 - r * m.tf) * (1.0 + r * m.tf), vec3<f32>(1e-30));
     let passed = (1.0 - r) * (1.0 - r) * m.tf / between;
-    let reflected = r + r * m.tf * passed;
+    return PaneSplit(r + r * m.tf * passed, passed);
+}
+
+@if(thin)
+fn pane_sample(m: MaterialRecord, frame: ShadingFrame, pick: f32) -> BsdfSample {
+    let split = pane_split(m, dot(frame.wo, frame.shading));
+    let reflected = split.reflected;
+    let passed = split.passed;
     let both = luminance(reflected + passed);
     let share = select(0.0, luminance(reflected) / both, both > 0.0);
     if (pick < share) {

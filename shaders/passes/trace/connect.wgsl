@@ -1,12 +1,14 @@
 // Light sampling (next-event estimation): a light drawn for a surface, and the density with which that is done.
 
 import package::gen::{TraceParams, NO_HIT};
+@if(lights && point_lights) import package::gen::{PointLightRecord, unpack_point_light_record};
 @if(lights) import package::gen::{LIGHT_RECORD_STRIDE, LightRecord, MATERIAL_ONE_SIDED, MaterialRecord, unpack_light_record};
 @if(lights) import package::lib::alias::{alias_pick};
 @if(lights) import package::lib::intersect::{triangle_normal};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point, light_weights};
 @if(lights) import package::lib::math::{largest_of};
+@if(lights && point_lights) import package::lib::point::{point_intensity};
 @if(lights && emission_map) import package::passes::trace::emission::{emission_at};
 @if(sun) import package::lib::sun::{sun_covers};
 @if(sky_light && sun) import package::lib::sun::{sun_point};
@@ -22,22 +24,34 @@ fn load_light(index: u32) -> LightRecord {
     return unpack_light_record(lights[at], lights[at + 1u], lights[at + 2u], lights[at + 3u]);
 }
 
+@if(lights && point_lights)
+fn load_point(index: u32) -> PointLightRecord {
+    let at = LIGHT_RECORD_STRIDE * index;
+    return unpack_point_light_record(lights[at], lights[at + 1u], lights[at + 2u], lights[at + 3u]);
+}
+
 // How far from the way to a light, as part of it, the t may be at which its own test finds it: many roundings, unless the light is so
 // edge-on that it sends next to nothing.
 const AROUND_LIGHT: f32 = 0x1p-12;
+
+// What is hit nearer than this part of the way to a point light hides it: a surface that the point lies in, by many roundings, does not.
+@if(lights && point_lights) const BEFORE_POINT: f32 = 1.0 - 0x1p-20;
 
 // Light that arrives at a point from one drawn direction.
 struct LightSample {
     // Unit length.
     direction: vec3<f32>,
-    // By solid angle, of lights, sky and sun together; 0 where nothing arrives.
+    // By solid angle, of lights, sky and sun together; 0 where nothing arrives. Of a point light the probability with which it is drawn,
+    // times the square of the distance: so `radiance` by this is what arrives, as of the others.
     pdf: f32,
+    // Of a point light, its intensity.
     radiance: vec3<f32>,
-    // The triangle that sends it, or NO_HIT for sky and sun.
+    // The triangle that sends it, or NO_HIT.
     triangle: u32,
-    // Where it leaves that triangle.
+    // Where it leaves that triangle, or the point light.
     point: vec3<f32>,
-    // How far a ray to it goes, as part of the way: to just beyond it, so that its triangle is hit, or to just before it.
+    // How far a ray to it goes, as part of the way: to just beyond it, so that its triangle is hit, or to just before it. 0 for sky and sun,
+    // which are nowhere.
     end: f32,
 }
 
@@ -58,13 +72,43 @@ fn light_pdf(params: TraceParams, material: MaterialRecord, mean: f32, area_norm
     return solid_angle_pdf(light_area_pdf(mean, sides, params.light_density), area_normal, direction, t);
 }
 
-// A triangle by its power, from one number. With n lights that leaves 24 - log2 n bits to choose between a column and its
+// A point light has no surface: what is drawn of it could have been found by no ray.
+@if(lights && point_lights)
+fn is_point(light: LightSample) -> bool {
+    return light.triangle == NO_HIT && light.end > 0.0;
+}
+
+@if(lights && point_lights)
+fn draw_point(params: TraceParams, position: vec3<f32>, light: PointLightRecord) -> LightSample {
+    let offset = light.position - position;
+    let t = length(offset);
+    // A surface that the light lies in gets nothing from it where it is.
+    if (t == 0.0) {
+        return LightSample(vec3<f32>(0.0), 0.0, vec3<f32>(0.0), NO_HIT, light.position, BEFORE_POINT);
+    }
+    let direction = offset / t;
+    let pdf = light.power * params.point_density * (t * t);
+    return LightSample(direction, pdf, point_intensity(light, -direction), NO_HIT, light.position, BEFORE_POINT);
+}
+
+// A light of the table by its power, from one number. With n lights that leaves 24 - log2 n bits to choose between a column and its
 // alias: the share of a column is off by 2^-25 n of itself at most, up or down by chance.
 @if(lights)
-fn draw_triangle(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>, texel: f32) -> LightSample {
+fn draw_from_table(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>, texel: f32) -> LightSample {
     let drawn = alias_pick(pick, params.lights);
     let column = load_light(drawn.column);
-    let light = load_light(select(column.other, drawn.column, drawn.rest < column.threshold));
+    let index = select(column.other, drawn.column, drawn.rest < column.threshold);
+    let light = load_light(index);
+    @if(lights && point_lights) {
+        if (light.triangle == NO_HIT) {
+            return draw_point(params, position, load_point(index));
+        }
+    }
+    return draw_triangle(params, position, light, u, texel);
+}
+
+@if(lights)
+fn draw_triangle(params: TraceParams, position: vec3<f32>, light: LightRecord, u: vec2<f32>, texel: f32) -> LightSample {
     let weights = light_weights(u);
     let drawn_point = light_point(light, weights);
     let area_normal = triangle_normal(light.a, light.b, light.c);
@@ -136,10 +180,10 @@ fn draw_light(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>,
         if (pick >= params.light_share) {
             return draw_from_beyond(params, pick, u);
         }
-        return draw_triangle(params, position, pick / params.light_share, u, texel);
+        return draw_from_table(params, position, pick / params.light_share, u, texel);
     }
     @if(lights && !sky_light) {
-        return draw_triangle(params, position, pick, u, texel);
+        return draw_from_table(params, position, pick, u, texel);
     }
     @if(!lights) {
         return draw_from_beyond(params, pick, u);

@@ -15,6 +15,7 @@ import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
 import package::lib::bsdf::frame::{ShadingFrame};
 import package::lib::bsdf::mixture::{mixture_sample};
 @if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
+@if(lights && point_lights && (alpha || thin)) import package::lib::bsdf::straight::{passed_straight};
 @if(lens) import package::gen::{LENS_DIMENSIONS};
 @if(!lens) import package::lib::camera::{camera_direction};
 @if(lens) import package::lib::camera::{lens_ray};
@@ -34,6 +35,7 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(textures) import package::passes::trace::textured::{textured};
 @if(textures || relief || emission_map) import package::passes::trace::footprint::{Texturing, at_point, spread_by, texturing_at};
 @if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, LightSample, draw_light};
+@if(lights && point_lights) import package::passes::trace::connect::{is_point};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 import package::passes::trace::materials::{load_material};
@@ -77,14 +79,21 @@ fn shading_frame_at(triangle: Triangle, hit: Hit, area_normal: vec3<f32>, wo: ve
     return ShadingFrame(wo, geometric, geometric, u32(back_face));
 }
 
+// The normal of the mesh, on the side of the triangle's winding; that of a flat triangle is its own.
+@if(normals || relief)
+fn mesh_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame) -> vec3<f32> {
+    let flat_normal = select(frame.geometric, -frame.geometric, frame.back_face != 0u);
+    @if(normals) {
+        return interpolate_normal(shading[triangle.index], hit.b1, hit.b2, flat_normal);
+    } @else {
+        return flat_normal;
+    }
+}
+
 // The normal that a surface is shaded by, on the side of its viewer.
 @if(normals || relief)
 fn shading_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame, @if(relief) texturing: Texturing) -> vec3<f32> {
-    // Of a flat triangle, on the side of its winding.
-    var normal = select(frame.geometric, -frame.geometric, frame.back_face != 0u);
-    @if(normals) {
-        normal = interpolate_normal(shading[triangle.index], hit.b1, hit.b2, normal);
-    }
+    let normal = mesh_normal_at(triangle, hit, frame);
     @if(relief) {
         if (texturing.maps.relief != 0u) {
             let side = facing(normal, frame.geometric);
@@ -190,6 +199,8 @@ struct Connection {
     light: vec3<f32>,
     // The light's triangle, or NO_HIT.
     triangle: u32,
+    // How many surfaces it may yet pass: none, but on the way to a point light.
+    @if(lights && point_lights && (alpha || thin)) passes: u32,
 }
 
 // Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by scatter().
@@ -200,16 +211,57 @@ fn connect(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
     let at = mixture_evaluate(surface.material, surface.frame, drawn.direction);
     var light = vec3<f32>(0.0);
     if (drawn.pdf > 0.0 && at.pdf > 0.0) {
-        light = (*state).throughput * at.value * drawn.radiance * (power_heuristic(drawn.pdf, at.pdf) / drawn.pdf);
+        var weight = power_heuristic(drawn.pdf, at.pdf);
+        @if(lights && point_lights) {
+            weight = select(weight, 1.0, is_point(drawn));
+        }
+        light = (*state).throughput * at.value * drawn.radiance * (weight / drawn.pdf);
     }
     let origin = offset_ray_origin(surface.position, surface.error, surface.frame.geometric, drawn.direction);
-    if (drawn.triangle == NO_HIT) {
-        return Connection(Ray(origin, 0.0, drawn.direction, T_FAR), T_FAR, light, NO_HIT);
+    var connection: Connection;
+    connection.light = light;
+    connection.triangle = drawn.triangle;
+    if (drawn.end == 0.0) {
+        connection.ray = Ray(origin, 0.0, drawn.direction, T_FAR);
+        connection.enough = T_FAR;
+    } else {
+        let offset = drawn.point - origin;
+        // Of unit length like the ray of a segment, whose t is rounded so.
+        let far = max(length(offset), 0x1p-100);
+        connection.ray = Ray(origin, 0.0, offset / far, far * drawn.end);
+        connection.enough = far * (1.0 - AROUND_LIGHT);
+        @if(lights && point_lights && (alpha || thin)) {
+            if (is_point(drawn)) {
+                // What comes first may let it pass, as often as a path could pass on its way to another light.
+                connection.enough = 0.0;
+                connection.passes = params.max_depth - 2u - (*state).bounce;
+            }
+        }
     }
-    let offset = drawn.point - origin;
-    // Of unit length like the ray of a segment, whose t is rounded so.
-    let far = max(length(offset), 0x1p-100);
-    return Connection(Ray(origin, 0.0, offset / far, far * drawn.end), far * (1.0 - AROUND_LIGHT), light, drawn.triangle);
+    return connection;
+}
+
+// Takes a shadow ray to a point light on through what it has hit, weighted by what goes straight on there; whether anything does. Other lights
+// behind a pane are found by paths through it. A relief turns nothing that passes, and is not looked at.
+@if(lights && point_lights && (alpha || thin))
+fn pass_straight(connection: ptr<function, Connection>, hit: Hit) -> bool {
+    let ray = (*connection).ray;
+    if ((*connection).passes == 0u || hit.triangle == NO_HIT) {
+        return false;
+    }
+    let triangle = load_leaf(hit.leaf);
+    let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
+    var frame = shading_frame_at(triangle, hit, area_normal, -ray.direction);
+    @if(normals || relief) {
+        frame.shading = bent_to_viewer(facing(mesh_normal_at(triangle, hit, frame), frame.geometric), frame.geometric, frame.wo);
+    }
+    let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
+    let origin = offset_ray_origin(at.position, at.error, frame.geometric, ray.direction);
+    let t_max = ray.t_max - dot(origin - ray.origin, ray.direction);
+    (*connection).light *= passed_straight(load_material(triangle.material), dot(frame.wo, frame.shading));
+    (*connection).passes -= 1u;
+    (*connection).ray = Ray(origin, 0.0, ray.direction, t_max);
+    return largest_of((*connection).light) > 0.0 && t_max > 0.0;
 }
 
 // The surface at the end of a ray.
@@ -348,12 +400,19 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
         var is_shadow_ray = false;
         var alive = true;
         var connection: Connection;
-        for (var i = 0u; i < 2u * params.max_depth; i++) {
+        var most = 2u * params.max_depth;
+        @if(lights && point_lights && (alpha || thin)) {
+            most += params.max_depth * params.max_depth / 2u;
+        }
+        for (var i = 0u; i < most; i++) {
             let hit = extend(&state, ray, extent, select(0.0, connection.enough, is_shadow_ray));
             if (is_shadow_ray) {
                 is_shadow_ray = false;
                 if (hit.triangle == connection.triangle || hit.triangle == NO_HIT) {
                     alive = add_radiance(&state, connection.light, NO_MATERIAL) && alive;
+                }
+                @if(lights && point_lights && (alpha || thin)) {
+                    is_shadow_ray = pass_straight(&connection, hit);
                 }
             } else {
                 let shaded = shade(&state, hit);

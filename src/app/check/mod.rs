@@ -72,7 +72,7 @@ fn plural<'a>(n: usize, one: &'a str, many: &'a str) -> &'a str {
     if n == 1 { one } else { many }
 }
 
-/// A file's materials, one a line: name, what it is taken as, and why.
+/// A file's materials and lights, one a line: name, what it is taken as, and why.
 fn rendered(table: &scene::Table) -> String {
     let shown = |name: &str| -> String { name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect() };
     let width = |texts: &mut dyn Iterator<Item = usize>| texts.max().unwrap_or_default().min(40);

@@ -17,6 +17,8 @@ pub struct Keys {
     pub sky: usize,
     /// What picks the code of a kernel, or how materials are read.
     pub settings: usize,
+    /// Lights without extent.
+    pub lights: usize,
     pub materials: usize,
     /// Camera, and the film but its exposure.
     pub view: usize,
@@ -71,6 +73,7 @@ impl Numbering {
             textures: self.number("textures", textures),
             sky: self.number("sky", sky),
             settings: self.number("settings", format!("{settings:?}")),
+            lights: self.number("lights", format!("{:?}", scene.lights)),
             materials: self.number("materials", format!("{:?}", scene.materials)),
             view: self.number("view", format!("{view:?}")),
             spp: scene.render.spp,

@@ -198,6 +198,12 @@ impl Reflection {
         }
     }
 
+    /// The part of the light that passes without a turn.
+    pub fn passed_straight(&self, frame: &ShadingFrame) -> DVec3 {
+        let pane = self.pane.map_or(DVec3::ZERO, |ni| pane::split(ni, self.tf, frame.wo.dot(frame.shading))[1]);
+        self.transparency * self.tf + (1.0 - self.transparency) * pane
+    }
+
     /// A direction: `pick` chooses the lobe, `u` the direction in it, all in [0, 1).
     pub fn sample(&self, frame: &ShadingFrame, pick: f64, u: DVec2) -> BsdfSample {
         let ShadingFrame { wo, shading: n, .. } = *frame;

@@ -3,6 +3,7 @@
 mod camera;
 mod entries;
 mod extend;
+mod light;
 mod map;
 mod material;
 mod model;
@@ -15,9 +16,10 @@ use super::environment::{EnvironmentEntry, read_environment};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::settings::{Group, SETTINGS, Settings, Value};
 use super::suggest::known_names;
-use crate::components::{Camera, Crop, Film};
+use crate::components::{Camera, Crop, Film, Light};
 use camera::read_camera;
 use entries::{read_entries, read_list};
+use light::read_light;
 use material::read_materials;
 use model::read_model;
 
@@ -35,6 +37,7 @@ pub struct SceneFile {
     pub cameras: BTreeMap<String, Camera>,
     /// The chosen camera, one of `cameras`.
     pub active: Option<String>,
+    pub lights: BTreeMap<String, Light>,
     pub settings: Settings,
     pub environment: Option<EnvironmentEntry>,
     /// Without that, where something of the scene sends out light.
@@ -65,6 +68,9 @@ pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
         file.cameras = read_entries(reader, node, "cameras", read_camera).into_iter().collect();
     }
     file.active = fields.read("camera", |node| choose_camera(reader, node, &file.cameras));
+    if let Some(node) = fields.get("lights") {
+        file.lights = read_entries(reader, node, "lights", read_light).into_iter().collect();
+    }
     if let Some(node) = fields.get("film") {
         read_settings(reader, node, "film", Group::Film, &mut file.settings);
     }

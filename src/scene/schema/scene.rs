@@ -4,7 +4,7 @@ use schemars::{Schema, json_schema};
 
 use super::parts::{about, any, between, each, list, map, number, object, or_none, text, tuple, variant};
 use super::values::{keys, settings};
-use crate::components::Lens;
+use crate::components::{Cone, Lens, Light};
 use crate::scene::settings::Group;
 
 /// What a scene file may hold.
@@ -21,6 +21,7 @@ fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
         ("models", list("what is in the scene", model())),
         ("cameras", map("views, by name", or_none(camera()))),
         ("camera", text("the view that is rendered; without it, the first by name")),
+        ("lights", map("lights without extent, by name", or_none(light()))),
         ("film", film()),
         ("render", render()),
         ("environment", environment()),
@@ -90,6 +91,29 @@ pub fn camera() -> Schema {
     ];
     // What a file extends may have the others.
     object("a view: position and look_at, unless the file extends one that has them", fields, &[])
+}
+
+pub fn light() -> Schema {
+    let common = || {
+        let intensity = each(3, between(0.0, Light::MOST_INTENSITY));
+        [("position", tuple(3, number())), ("intensity", about("W/sr where radiance is W/(m^2 sr)", intensity))]
+    };
+    let [least, most] = Cone::ANGLES;
+    let cone = [
+        ("look_at", about("a point of the cone's axis", tuple(3, number()))),
+        ("angle", or_none(about("across the cone, degrees", between(least, most)))),
+        (
+            "blend",
+            or_none(about(
+                "the part of the cone's angle on which the light fades: 0 is a sharp edge",
+                between(0.0, 1.0),
+            )),
+        ),
+    ];
+    // What a file extends may have the others.
+    let point = object("a point that shines everywhere: position and intensity", common(), &[]);
+    let spot = object("a point that shines into a cone: and look_at", common().into_iter().chain(cone), &[]);
+    any(vec![variant("Point", point), variant("Spot", spot)])
 }
 
 /// What is sharp.

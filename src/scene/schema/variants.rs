@@ -4,7 +4,7 @@ use schemars::{Schema, json_schema};
 use serde_json::{Map, Value};
 
 use super::parts::{about, any, between, list, map, number, object, or_none, text, variant, whole};
-use super::scene::{camera, environment, film, material, model, render};
+use super::scene::{camera, environment, film, light, material, model, render};
 use super::values::{keys, settings};
 use crate::scene::settings::Group;
 
@@ -31,13 +31,14 @@ fn by_path(doc: &str, of: impl Fn(Schema) -> Schema) -> Schema {
     for (group, name) in [(Group::Film, "film"), (Group::Render, "render")] {
         settings(group).for_each(|(field, schema)| add(format!("{name}.{field}"), or_none(schema)));
     }
-    let parts: [(&str, Schema); 8] = [
+    let parts: [(&str, Schema); 9] = [
         ("film", film()),
         ("render", render()),
         ("environment", environment()),
         ("models", list("what is in the scene", model())),
         ("camera", text("a view, by its name")),
         ("cameras", map("views, by name", or_none(camera()))),
+        ("lights", map("lights without extent, by name", or_none(light()))),
         ("scene", text("another scene file than that of `extends`, relative to this file")),
         ("shaders", text("a folder of shaders, relative to this file; None: those that all others have")),
     ];
@@ -49,6 +50,7 @@ fn by_path(doc: &str, of: impl Fn(Schema) -> Schema) -> Schema {
     keys().for_each(|(key, schema)| add(format!(r"^materials\.{NAME}\.{key}$"), or_none(schema)));
     add(format!(r"^materials\.{NAME}$"), or_none(material()));
     add(format!(r"^cameras\.{NAME}$"), or_none(camera()));
+    add(format!(r"^lights\.{NAME}$"), or_none(light()));
     add(r"^models\.[0-9]+$".to_owned(), model());
     let value = json_schema!({ "type": ["number", "boolean"] });
     add(r"^shader\.[A-Za-z_][A-Za-z_0-9]*$".to_owned(), value);

@@ -1,4 +1,4 @@
-//! Emitting triangles to the table that light sampling draws from.
+//! Emitting triangles and point lights to the table that light sampling draws from.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -8,14 +8,15 @@ use glam::Vec3;
 
 use super::step::Step;
 use super::surfaces::Surfaces;
-use crate::components::{Integrator, Texture};
+use crate::components::{Integrator, Light, Name, Texture};
 use crate::gpu::GpuTable;
-use crate::layout::light::{LightRecord, LightTable};
+use crate::layout::light::{LightRecord, LightTable, PointLightRecord};
+use crate::layout::ray::NO_HIT;
 use crate::layout::texture::MaterialMaps;
 use crate::layout::trace::luminance;
 use crate::layout::tree::Triangle;
 use crate::prepare;
-use crate::systems::resources::{Everything, LightDensity, MeanEmission, Policy, TextureSlot};
+use crate::systems::resources::{Everything, LightDensity, MeanEmission, Policy, SceneGeometry, TextureSlot};
 use crate::systems::run::counted;
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -23,9 +24,25 @@ pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(system.run_if(lights_changed).in_set(Step::Lights));
 }
 
-/// Triangles, records, textures or the integrator changed.
-fn lights_changed(everything: Res<Everything>, surfaces: Surfaces, policy: Res<Policy>) -> bool {
-    everything.0 || surfaces.are_others() || policy.is_changed()
+type TouchedLight = (With<Light>, Or<(Changed<Light>, Changed<Name>)>);
+
+/// Triangles, records, textures, the integrator or the origin changed, or a point light came, went or changed.
+fn lights_changed(
+    everything: Res<Everything>,
+    surfaces: Surfaces,
+    policy: Res<Policy>,
+    geometry: Res<SceneGeometry>,
+    touched: Query<(), TouchedLight>,
+    mut gone: RemovedComponents<Light>,
+    mut unnamed: RemovedComponents<Name>,
+) -> bool {
+    let gone = gone.read().count() + unnamed.read().count();
+    everything.0
+        || gone > 0
+        || surfaces.are_others()
+        || policy.is_changed()
+        || geometry.is_changed()
+        || !touched.is_empty()
 }
 
 /// What lights are made of.
@@ -33,6 +50,8 @@ fn lights_changed(everything: Res<Everything>, surfaces: Surfaces, policy: Res<P
 struct Emitting<'w, 's> {
     surfaces: Surfaces<'w>,
     textures: Query<'w, 's, (&'static Texture, &'static TextureSlot)>,
+    points: Query<'w, 's, (&'static Name, &'static Light)>,
+    geometry: Res<'w, SceneGeometry>,
 }
 
 /// What comes of them.
@@ -43,24 +62,25 @@ struct Lit<'w> {
     density: ResMut<'w, LightDensity>,
 }
 
-/// Makes the table anew. A scene whose integrator samples no lights has none.
+/// Makes the table anew. An integrator that leaves triangles to be hit has point lights in it alone.
 fn extract_lights(emitting: Emitting, policy: Res<Policy>, mut lit: Lit) {
     let (records, triangles) = (emitting.surfaces.records.rows(), emitting.surfaces.triangles.rows());
     let emits: Vec<bool> = records.iter().map(|record| record.emission.max_element() > 0.0).collect();
+    let points = emitting.points();
     let table = match policy.integrator == Integrator::Path && emits.contains(&true) {
         true => {
             let shines = |triangle: &&Triangle| emits.get(triangle.material as usize).is_some_and(|emits| *emits);
             let mapped = emitting.mapped(&emits);
             let emission = |triangle: &Triangle| emitting.mean(triangle, &mapped);
             let sent = triangles.iter().filter(shines).map(|triangle| (*triangle, emission(triangle)));
-            LightTable::of(sent, records)
+            LightTable::of(sent, records, &points)
         }
-        false => LightTable::default(),
+        false => LightTable::of(std::iter::empty(), records, &points),
     };
     let mut means = Vec::new();
     if !table.lights.is_empty() && emitting.surfaces.maps.rows().iter().any(|maps| maps.emission != 0) {
         means.resize(triangles.len(), MeanEmission(0.0));
-        for light in &table.lights {
+        for light in table.lights.iter().filter(|light| light.triangle != NO_HIT) {
             means[light.triangle as usize].0 = luminance(light.emission);
         }
     }
@@ -74,6 +94,13 @@ fn extract_lights(emitting: Emitting, policy: Res<Policy>, mut lit: Lit) {
 }
 
 impl Emitting<'_, '_> {
+    /// Point lights in the order of their names.
+    fn points(&self) -> Vec<PointLightRecord> {
+        let mut points: Vec<_> = self.points.iter().collect();
+        points.sort_by_key(|(name, _)| name.as_str());
+        points.into_iter().map(|(_, light)| prepare::point::point_light(light, self.geometry.origin)).collect()
+    }
+
     /// The map of emission of each material that emits, ready to be averaged.
     fn mapped(&self, emits: &[bool]) -> Vec<Option<Rc<prepare::texture::MeanEmission>>> {
         let mut read: BTreeMap<u32, Rc<prepare::texture::MeanEmission>> = BTreeMap::new();

@@ -11,15 +11,15 @@ use crate::components::{
 };
 use crate::gpu::GpuTable;
 use crate::layout::film::film_exponent;
-use crate::layout::light::LightRecord;
+use crate::layout::light::{LightRecord, LightTable};
 use crate::layout::texture::MaterialMaps;
 use crate::layout::trace::{MaterialRecord, TraceParams};
 use crate::layout::tree::Triangle;
 use crate::passes::trace::{Needs, largest_emission};
 use crate::passes::tree::PLAN;
-use crate::prepare::camera;
 use crate::prepare::lighting::Lighting;
 use crate::prepare::sun::sun_of;
+use crate::prepare::{camera, point};
 use crate::systems::error::EngineError;
 use crate::systems::resources::{
     Everything, Exposure, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target, Textures,
@@ -151,7 +151,11 @@ fn shoot(
         return Err(EngineError::EmptyFilm);
     }
     let (sky, geometry) = (&packed.sky, &packed.geometry);
-    let brightest = environment.max(Vec3::splat(sky.brightest)).max(sun.map_or(Vec3::ZERO, |sun| sun.radiance));
+    let radius = 0.5 * (geometry.high - geometry.low).length();
+    let points = packed.lights.rows().iter().rev().map_while(LightRecord::point);
+    let brightest = environment
+        .max(Vec3::splat(sky.brightest.max(point::brightest(points, radius))))
+        .max(sun.map_or(Vec3::ZERO, |sun| sun.radiance));
     let exponent = film_exponent(largest_emission(
         packed.records.rows(),
         packed.maps.rows(),
@@ -174,12 +178,13 @@ fn shoot(
     let lighting = Lighting {
         lights: packed.lights.len() as u32,
         light_density: packed.density.0,
+        points_alone: render.integrator != Integrator::Path,
         sky: sky.size,
         sky_turn,
         sun,
         sky_power: if render.integrator == Integrator::Path { sky.power } else { 0.0 },
     };
-    lighting.write(&mut params, 0.5 * (geometry.high - geometry.low).length());
+    lighting.write(&mut params, radius);
     let needs = Needs {
         materials: packed.records.rows(),
         maps: packed.maps.rows(),
@@ -188,6 +193,7 @@ fn shoot(
         sky_light: lighting.sky_power > 0.0,
         sun: sun.is_some(),
         lights: lighting.lights > 0,
+        point_lights: LightTable::has_points(packed.lights.rows()),
         lens: params.lens_radius > 0.0,
         normals: geometry.normals,
         roulette: render.roulette,

@@ -4,6 +4,7 @@
 //! engine finds out by itself what it makes undone.
 
 pub mod lens;
+pub mod lights;
 mod maps;
 pub mod materials;
 pub mod members;
@@ -115,6 +116,7 @@ impl Panel {
                     section(ui, "Settings", true, |ui| outcome.edited |= settings::show(ui, world));
                     let seen =
                         self.readings.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
+                    section(ui, "Lights", false, |ui| outcome.moved |= lights::show(ui, world, size));
                     section(ui, "Materials", false, |ui| outcome.moved |= materials::show(ui, world, seen));
                 });
                 section(ui, "Passes", false, |ui| passes::show(ui, &self.readings, self.software));

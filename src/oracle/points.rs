@@ -1,0 +1,83 @@
+//! Lights without extent: a surface asks every one of them.
+
+use bevy_ecs::prelude::*;
+use glam::DVec3;
+
+use super::Oracle;
+use super::bsdf::{Bsdf, Facing};
+use super::random::Random;
+use crate::components::Light;
+
+/// All of them.
+pub struct Points(Vec<Light>);
+
+impl Points {
+    pub fn read(world: &mut World) -> Self {
+        let mut query = world.query::<(&Name, &Light)>();
+        let mut named: Vec<_> = query.iter(world).map(|(name, light)| (name.as_str().to_owned(), *light)).collect();
+        named.sort_by(|a, b| a.0.cmp(&b.0));
+        Self(named.into_iter().map(|(_, light)| light).collect())
+    }
+}
+
+impl Oracle {
+    /// What a surface reflects of all points. Light goes straight on through up to `passes` surfaces, where a draw from them does.
+    pub(super) fn ask_points(
+        &self,
+        at: DVec3,
+        facing: &Facing,
+        bsdf: &Bsdf,
+        passes: u32,
+        random: &mut Random,
+    ) -> DVec3 {
+        let mut sum = DVec3::ZERO;
+        for light in &self.points.0 {
+            let to = light.position - at;
+            let wi = to.normalize_or_zero();
+            let (value, _) = bsdf.evaluate(facing, wi);
+            let sent = value * intensity(light, -wi) / to.length_squared().max(f64::MIN_POSITIVE);
+            if sent != DVec3::ZERO {
+                sum += sent * self.part_that_arrives(at, light.position, passes, random);
+            }
+        }
+        sum
+    }
+
+    fn part_that_arrives(&self, from: DVec3, to: DVec3, passes: u32, random: &mut Random) -> DVec3 {
+        let direction = (to - from).normalize();
+        let (mut at, mut part) = (from, DVec3::ONE);
+        for met in 0..=passes {
+            let before = |hit: &super::tree::Hit| hit.t < (1.0 - 1e-9) * (to - at).length();
+            let Some(hit) = self.scene.closest(at, direction, random).filter(before) else { return part };
+            if met == passes {
+                break;
+            }
+            let facing = self.scene.facing(&hit, direction, random);
+            let bsdf = self.scene.substance(&hit).bsdf(self.scene.uv(&hit), random);
+            match bsdf.draw(&facing, random) {
+                Some(draw) if draw.pdf == 0.0 && draw.wi == direction => part *= draw.weight,
+                _ => break,
+            }
+            at += hit.t * direction;
+        }
+        DVec3::ZERO
+    }
+}
+
+/// W/sr in a direction away from the light: whole within the inner cone of a spot, none beyond the outer one, and in between by the cubic of
+/// the cosine that is flat at both ends.
+fn intensity(light: &Light, direction: DVec3) -> DVec3 {
+    let whole = light.intensity.as_dvec3();
+    let Some(cone) = light.cone else { return whole };
+    let cos = direction.dot((cone.look_at - light.position).normalize());
+    let edge = 0.5 * cone.angle.to_radians();
+    let (least, most) = (edge.cos(), (edge * (1.0 - cone.blend)).cos());
+    if cos >= most {
+        return whole;
+    }
+    if cos <= least {
+        return DVec3::ZERO;
+    }
+    let part = (cos - least) / (most - least);
+    whole * part * part * (3.0 - 2.0 * part)
+}
