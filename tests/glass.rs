@@ -32,7 +32,11 @@ fn an_error_of_one_percent_is_seen() {
     let room = Room::glass();
     let mistakes = [
         ("lib/bsdf/glass", "eta_squared(at) * m.tf, beyond", "1.01 * eta_squared(at) * m.tf, beyond"),
-        ("lib/bsdf/mixture", "m.ks / m.specular_probability, is_above", "0.99 * m.ks / m.specular_probability, is_above"),
+        (
+            "lib/bsdf/mixture",
+            "m.ks / m.specular_probability, is_above",
+            "0.99 * m.ks / m.specular_probability, is_above",
+        ),
         ("lib/bsdf/mixture", "0.0, m.tf)", "0.0, 1.01 * m.tf)"),
         ("lib/bsdf/ggx", "0.5 * density / reach_o", "0.505 * density / reach_o"),
     ];

@@ -4,7 +4,7 @@ use bevy_ecs::prelude::*;
 use lucerna::components::{
     Active, Camera, Environment, Film, Geometry, Material, Name, Render, Transform, UsesMaterial,
 };
-use lucerna::scene::{apply, describe};
+use lucerna::scene::apply;
 
 use super::{SCENE, description};
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use glam::{UVec2, Vec3};
-use lucerna::components::{Energy, Environment};
+use lucerna::components::{Energy, Environment, Film};
 
 use super::{SCENE, load_text};
 

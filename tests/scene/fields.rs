@@ -1,10 +1,8 @@
 //! What scene files say arrives, or is told where it is wrong.
 
-use std::path::Path;
-
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::components::{Energy, Environment};
-use lucerna::scene::load;
+use lucerna::scene::{Define, load};
 
 use super::{SCENE, SQUARE, SQUARE_MTL, description, folder, load_text};
 

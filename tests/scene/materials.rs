@@ -1,8 +1,7 @@
 //! What scene files change of materials.
 
 use bevy_ecs::prelude::*;
-use glam::Vec3;
-use lucerna::components::{Lobe, Material, Name, Passage};
+use lucerna::components::{Lobe, Material, Passage};
 use lucerna::scene::{MtlMaterial, apply, describe};
 
 use super::{SCENE, description, load_text};

@@ -15,7 +15,8 @@ pub fn scene() -> Schema {
     schema
 }
 
-fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
+/// The fields of a scene file.
+pub fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
     [
         ("extends", text("a scene file, relative to this one: what this one says is written over it")),
         ("models", list("what is in the scene", model())),
@@ -29,11 +30,11 @@ fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
     .into_iter()
 }
 
-pub fn film() -> Schema {
+fn film() -> Schema {
     object("the picture", settings(Group::Film).map(|(name, schema)| (name, or_none(schema))), &[])
 }
 
-pub fn render() -> Schema {
+fn render() -> Schema {
     object("how it is rendered", settings(Group::Render).map(|(name, schema)| (name, or_none(schema))), &[])
 }
 
@@ -103,7 +104,7 @@ fn focus() -> Schema {
     any(words.into())
 }
 
-pub fn environment() -> Schema {
+fn environment() -> Schema {
     let colour = || each(3, json_schema!({ "type": "number", "minimum": 0 }));
     let map = [
         (
