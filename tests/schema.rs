@@ -229,7 +229,7 @@ fn what_is_shipped_fits_and_what_is_wrong_does_not() {
     }
     for wrong in [
         "(animate: (frames: 0, keys: {}))",
-        "(animate: (frames: 9, keys: { \"film.exposure\": { first: 1 } }))",
+        "(animate: (frames: 9, keys: { \"film.exposure\": { \"first\": 1 } }))",
         "(animate: (frames: 9, keys: { \"film.exposure\": 1 }))",
         "(animate: (frames: 9, keys: { \"film.exposure\": Jump({ 0: 1 }) }))",
         "(flim: ())",

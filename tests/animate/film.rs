@@ -52,11 +52,11 @@ fn a_film_is_of_the_frames_that_are_wanted() {
     pretend(folder.path(), "for last; do :; done; echo \"$@\" > \"$last\"");
     let film = folder.path().join("result/animate/a/a.mp4");
     let part = answer(folder.path(), &["--spp", "1", "--frames", "1..2"], 0);
-    assert_eq!(part.remarks, ["a.mp4: 1 frames, 0.08 s"]);
+    assert_eq!(part.remarks, ["a.mp4: 0.08 s at 12 frames a second"]);
     let words = std::fs::read_to_string(&film).unwrap();
     assert!(words.contains("-framerate 12 -start_number 1 ") && words.contains("-frames:v 1 "), "{words}");
     assert!(words.contains("-pix_fmt yuv420p") && words.contains("pad=ceil(iw/2)*2:ceil(ih/2)*2"), "{words}");
     let whole = answer(folder.path(), &["--spp", "1"], 0);
-    assert_eq!(whole.remarks, ["a.mp4: 3 frames, 0.25 s"]);
+    assert_eq!(whole.remarks, ["a.mp4: 0.25 s at 12 frames a second"]);
     assert!(std::fs::read_to_string(&film).unwrap().contains("-start_number 0 "));
 }

@@ -31,8 +31,9 @@ pub fn print(family: &Family, survey: &Survey, folder: &Path, wanted: &Wanted) -
     let trees: std::collections::BTreeSet<usize> =
         survey.found.iter().flatten().map(|subject| subject.keys.geometry).collect();
     text += &format!(
-        "{} members, {} trees, {} libraries of shaders, {} files read\n",
+        "{} {}, {} trees, {} libraries of shaders, {} files read\n",
         family.members.len(),
+        family.word(),
         trees.len(),
         survey.codes.len(),
         survey.files.len(),

@@ -36,7 +36,7 @@ pub fn make(folder: &Path, answer: &Answer, wanted: &Wanted, fps: f64) -> String
         Command::new("ffmpeg").args(words(&format!("./{part}"))).current_dir(folder).stdin(Stdio::null()).output();
     let failed = match run {
         Ok(output) if output.status.success() => match std::fs::rename(folder.join(&part), folder.join(&name)) {
-            Ok(()) => return format!("{name}: {count} frames, {:.2} s", count as f64 / fps),
+            Ok(()) => return format!("{name}: {:.2} s at {fps} frames a second", count as f64 / fps),
             Err(error) => error.to_string(),
         },
         Ok(output) => first_line(&output.stderr).unwrap_or_else(|| format!("ffmpeg ended with {}", output.status)),

@@ -39,11 +39,6 @@ impl Request<'_> {
         }
         Ok(survey)
     }
-
-    /// What members are, in words.
-    fn members(&self) -> &'static str {
-        if self.family.fps.is_some() { "frames" } else { "members" }
-    }
 }
 
 /// Loads all members, renders those that are not done, and answers.
@@ -168,7 +163,7 @@ pub fn tell(request: &Request, answers: &Answers, rendered: usize) -> Result<(),
         }
         let count = |is: fn(&State) -> bool| answer.records.iter().filter(|record| is(&record.state)).count();
         let done = count(|state| matches!(state, State::Done));
-        let mut text = format!("{}: {done} of {} {}", answer.name, answer.records.len(), request.members());
+        let mut text = format!("{}: {done} of {} {}", answer.name, answer.records.len(), request.family.word());
         text += &match rendered {
             0 => ", nothing had to be rendered\n".to_owned(),
             _ => "\n".to_owned(),

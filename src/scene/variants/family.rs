@@ -35,6 +35,11 @@ impl Family {
     pub fn scene_of<'f>(&'f self, member: &'f Member) -> &'f Path {
         member.scene.as_deref().unwrap_or(&self.scene)
     }
+
+    /// What its members are, in a word.
+    pub fn word(&self) -> &'static str {
+        if self.fps.is_some() { "frames" } else { "members" }
+    }
 }
 
 /// What a sweep goes over.
