@@ -15,6 +15,7 @@ fn told(animate: &str) -> Vec<String> {
 #[test]
 fn what_is_wrong_is_told_where_it_stands() {
     let keys = |keys: &str| format!("(frames: 24, keys: {{ {keys} }})");
+    let mut untold = Vec::new();
     for (animate, words) in [
         (
             "(frames: 0, keys: { \"film.exposure\": { 0: 1 } })".into(),
@@ -57,7 +58,7 @@ fn what_is_wrong_is_told_where_it_stands() {
         ),
         (
             keys("\"cameras.front.position\": { 0: (0, 0, 1), 4: (0, 1) }"),
-            "a.ron:4:81: error: keys of `cameras.front.position`: this has 2 numbers, and the value at frame 0 has 3 numbers",
+            "a.ron:4:80: error: keys of `cameras.front.position`: this has 2 numbers, and the value at frame 0 has 3 numbers",
         ),
         (keys("\"environment\": { 0: Constant(1), 4: Sky(1) }"), "this is of another form than the value at frame 0"),
         (
@@ -77,14 +78,14 @@ fn what_is_wrong_is_told_where_it_stands() {
         // What only the scene knows.
         (
             keys("\"cameras.front.positon\": { 0: (0, 0, 1) }"),
-            "a.ron:4:50: error: cameras.front: unknown field `positon`\n    help: did you mean `position`?",
+            "a.ron:4:50: error: unknown field `cameras.front.positon`\n    help: did you mean `position`?",
         ),
         (keys("\"cameras.frnt.position\": { 0: (0, 0, 1) }"), "cameras.frnt: the field `look_at` is missing"),
         (keys("\"materials.gray.kd\": { 0: 1 }"), "did you mean `grey`?"),
         (keys("\"models.1.transform.scale\": { 0: 1 }"), "`1` is none of the items 0 to 0"),
         (
             keys("\"cameras.front.fov_y\": { 0: 60, 9: 400 }"),
-            "a.ron:4:58: error: cameras.front.fov_y: expected a number from 0.001 to 179",
+            "a.ron:4:63: error: cameras.front.fov_y: expected a number from 0.001 to 179",
         ),
         (
             keys("\"cameras.front.position\": { 0: (0, 0, 2), 10: (0, 0, -2) }"),
@@ -93,9 +94,12 @@ fn what_is_wrong_is_told_where_it_stands() {
         (keys("\"render.spp\": { 0: 1, 10: 2 }"), "expected a whole number"),
     ] {
         let found = told(&animate);
-        assert!(found.iter().any(|found| found.contains(words)), "{animate}: {words}\n{found:#?}");
-        assert!(found.len() <= 2, "{animate}: each mistake once: {found:#?}");
+        // Each mistake once.
+        if found.len() > 2 || !found.iter().any(|found| found.contains(words)) {
+            untold.push(format!("{animate}: {words}\n{found:#?}"));
+        }
     }
+    assert!(untold.is_empty(), "{}", untold.join("\n"));
 }
 
 #[test]
