@@ -2,7 +2,7 @@
 
 use crate::scene::ron::{Kind, Node};
 
-/// What is no number may be as large as one.
+/// Any finite number is one: what a path takes, its reader says.
 const FARTHEST: f64 = f64::MAX;
 
 /// A value whose numbers can be others.
