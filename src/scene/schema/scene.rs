@@ -1,10 +1,12 @@
 //! The schema of scene files. Ranges that only one reader knows are left to it: it says what is wrong at its place.
 
 use schemars::{Schema, json_schema};
+use serde_json::Map;
 
-use super::parts::{about, any, between, each, list, map, number, object, or_none, text, tuple, variant};
+use super::parts::{about, any, between, each, list, map, number, object, or_none, text, tuple, variant, whole};
 use super::values::{keys, settings};
 use crate::components::Lens;
+use crate::scene::animate::MOST_FRAMES;
 use crate::scene::settings::Group;
 
 /// What a scene file may hold.
@@ -26,6 +28,7 @@ pub fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
         ("render", render()),
         ("environment", environment()),
         ("materials", map("changes of materials, by `name` or `model:name`", or_none(material()))),
+        ("animate", animation()),
     ]
     .into_iter()
 }
@@ -102,6 +105,28 @@ fn focus() -> Schema {
         variant("At", about("a point of world space", tuple(3, number()))),
     ];
     any(words.into())
+}
+
+fn animation() -> Schema {
+    let values = || {
+        let times = Map::from_iter([(r"^([0-9]+|[0-9.]+ *s)$".to_owned(), json_schema!({}).to_value())]);
+        json_schema!({
+            "description": "values by the number of a frame, as 24, or by seconds, as \"1.5s\"",
+            "type": "object", "patternProperties": times, "additionalProperties": false,
+        })
+    };
+    let track = any(vec![
+        about("values that go from key to key on straight lines", values()),
+        about("on a smooth curve, never beyond the keys", variant("Smooth", values())),
+        about("at once", variant("Step", values())),
+    ]);
+    let fields = [
+        ("frames", about("how many there are", whole(1, MOST_FRAMES))),
+        ("fps", or_none(about("frames a second; 24 without it", between(0.1, 1000.0)))),
+        ("keys", map("what changes, by paths such as `cameras.front.position`", or_none(track))),
+    ];
+    // What a file extends may have the others.
+    object("values that change with time: frames and keys, unless the file extends one that has them", fields, &[])
 }
 
 fn environment() -> Schema {

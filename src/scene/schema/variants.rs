@@ -35,7 +35,7 @@ fn by_path(doc: &str, of: impl Fn(Schema) -> Schema) -> Schema {
         ("scene", text("another scene file than that of `extends`, relative to this file")),
         ("shaders", text("a folder of shaders, relative to this file; None: those that all others have")),
     ];
-    let parts = fields().filter(|(name, _)| *name != "extends").chain(beside);
+    let parts = fields().filter(|(name, _)| !matches!(*name, "extends" | "animate")).chain(beside);
     parts.for_each(|(path, schema)| add(path.to_owned(), or_none(schema)));
     let mut patterns: Map<String, Value> = Map::new();
     let mut add = |pattern: String, schema: Schema| drop(patterns.insert(pattern, of(schema).to_value()));
