@@ -107,12 +107,12 @@ fn a_model_is_lit_by_its_lamps_or_by_day() {
         _ => None,
     };
     for mtl in [GREY, unused] {
-        assert_eq!(day(&open(&obj, mtl, &[]).environment), Some((45.0, 30.0, 3.0)));
+        assert_eq!(day(&open(&obj, mtl, &[]).environment), Some((45.0, 120.0, 3.0)));
     }
     assert_eq!(open(&obj, glowing, &[]).environment, None);
     // Whatever is asked for counts.
     let hazy = open(&obj, glowing, &[("environment.turbidity", "6")]);
-    assert_eq!(day(&hazy.environment), Some((45.0, 30.0, 6.0)));
+    assert_eq!(day(&hazy.environment), Some((45.0, 120.0, 6.0)));
     let constant = open(&obj, GREY, &[("environment", "Constant(1)")]);
     assert!(matches!(constant.environment, Some(Environment::Constant(_))));
     assert_eq!(open(&obj, GREY, &[("environment", "None")]).environment, None);

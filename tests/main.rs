@@ -2,6 +2,7 @@
 
 mod alias;
 mod alone;
+mod animate;
 mod audit;
 mod bench;
 mod bsdf;

@@ -68,6 +68,7 @@ fn readers_of_scenes_and_their_schema_know_the_same_fields() {
         (format!("(lights: {{ \"a\": Point({UNKNOWN}: 1) }})"), vec!["lights", "*", "Point"]),
         (format!("(lights: {{ \"a\": Spot({UNKNOWN}: 1) }})"), vec!["lights", "*", "Spot"]),
         (format!("(film: ({UNKNOWN}: 1))"), vec!["film"]),
+        (format!("(animate: (frames: 2, keys: {{ \"film.exposure\": {{ 0: 1 }} }}, {UNKNOWN}: 1))"), vec!["animate"]),
         (format!("(render: ({UNKNOWN}: 1))"), vec!["render"]),
         (format!("(environment: Map(path: \"t.png\", {UNKNOWN}: 1))"), vec!["environment", "Map"]),
         (format!("(environment: Sky(sun: (1, 1), {UNKNOWN}: 1))"), vec!["environment", "Sky"]),
@@ -223,7 +224,17 @@ fn what_is_shipped_fits_and_what_is_wrong_does_not() {
     ] {
         assert!(fits(right).0, "{right}");
     }
+    for right in [
+        "(animate: (frames: 9, fps: 25, keys: { \"film.exposure\": { 0: -1, \"0.5 s\": 2 } }))",
+        "(animate: (keys: { \"camera\": Step({ 0: \"a\" }), \"cameras.a.fov_y\": Smooth({ 0: 1, 4: 2 }), \"render.seed\": None }))",
+    ] {
+        assert!(fits(right).0, "{right}");
+    }
     for wrong in [
+        "(animate: (frames: 0, keys: {}))",
+        "(animate: (frames: 9, keys: { \"film.exposure\": { \"first\": 1 } }))",
+        "(animate: (frames: 9, keys: { \"film.exposure\": 1 }))",
+        "(animate: (frames: 9, keys: { \"film.exposure\": Jump({ 0: 1 }) }))",
         "(flim: ())",
         "(film: (size: (3, 4, 5)))",
         "(render: (sampler: Sobel))",

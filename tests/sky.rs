@@ -17,6 +17,7 @@ use crate::path::{against_twin, samples, small};
 use crate::rooms::{Room, matte, shiny};
 use crate::statistics::{CHI_SQUARE_LIMIT, chi_square_z};
 use crate::support;
+use crate::support::plant::planted;
 
 const PROBE: &str = "
 import package::gen::{SampleKey, TraceParams};
@@ -280,12 +281,6 @@ fn an_error_of_three_percent_is_seen() {
     }
     let scaled = planted("passes/trace/sky", "luminance(radiance) * density", "1.03 * luminance(radiance) * density");
     assert!(std::panic::catch_unwind(|| integral(scaled, &sky)).is_err());
-}
-
-fn planted(module: &str, right: &str, wrong: &str) -> Library {
-    let text = std::fs::read_to_string(format!("shaders/{module}.wgsl")).unwrap();
-    assert!(text.contains(right), "{module} has changed: plant the error elsewhere");
-    Library::shipped().with(module, &text.replace(right, wrong))
 }
 
 #[test]

@@ -21,6 +21,7 @@ use crate::path::{against_twin, compare_integrators, small};
 use crate::rooms::{Room, matte, shiny};
 use crate::statistics::{CHI_SQUARE_LIMIT, chi_square_z};
 use crate::support;
+use crate::support::plant::planted;
 
 const PROBE: &str = "
 import package::gen::{SampleKey, TraceParams};
@@ -134,12 +135,6 @@ fn draws_cover_the_disk_evenly() {
         let z = surprise(planted("lib/sun", right, wrong), all[1]);
         assert!(z > 2.0 * CHI_SQUARE_LIMIT, "{wrong} went unnoticed: {z}");
     }
-}
-
-fn planted(module: &str, right: &str, wrong: &str) -> Library {
-    let text = std::fs::read_to_string(format!("shaders/{module}.wgsl")).unwrap();
-    assert!(text.contains(right), "{module} has changed: plant the error elsewhere");
-    Library::shipped().with(module, &text.replace(right, wrong))
 }
 
 /// A floor, a glossy ball and a mirror under a dim sky and a sun of so many degrees, with a lamp or without.

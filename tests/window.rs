@@ -8,6 +8,8 @@ mod family;
 mod flight;
 mod inspect;
 mod keys;
+#[cfg(target_os = "linux")]
+mod lens;
 mod live;
 mod maps;
 mod navigate;

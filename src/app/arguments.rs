@@ -2,6 +2,7 @@
 
 use clap::{Parser, Subcommand};
 
+use super::animate::AnimateArguments;
 use super::bench::BenchArguments;
 use super::check::CheckArguments;
 use super::compare::CompareArguments;
@@ -32,6 +33,8 @@ pub enum Command {
     Watch(WatchArguments),
     /// Render a family of scenes that a file describes, doing only what differs again
     Variants(Box<VariantsArguments>),
+    /// Render the frames of a scene that changes with time, and a film of them
+    Animate(Box<AnimateArguments>),
     /// Compare a picture with a reference
     Compare(CompareArguments),
     /// Check assets and shaders without rendering

@@ -2,6 +2,7 @@
 //!
 //! Every error of the layers below ends here, is shown once, and becomes an exit code.
 
+mod animate;
 mod arguments;
 pub mod bench;
 mod check;
@@ -49,6 +50,7 @@ pub fn main() -> ExitCode {
         Command::Render(render) => render::run(&render, started),
         Command::Watch(watch) => watch::run(&watch),
         Command::Variants(family) => variants::run(&family),
+        Command::Animate(animation) => animate::run(&animation),
         Command::Compare(comparison) => compare::run(&comparison),
         Command::Check(check) => check::run(&check),
         Command::Schema(schema) => schema::run(&schema),

@@ -249,6 +249,13 @@ impl Engine {
         self.world.get_resource::<Reload>().is_some_and(Reload::waits)
     }
 
+    /// Whether steps from now on leave what was saved where it is: for who has to look at what is there before it goes.
+    pub fn hold_saves(&mut self, held: bool) {
+        if let Some(mut reload) = self.world.get_resource_mut::<Reload>() {
+            reload.held = held;
+        }
+    }
+
     /// The scene as its files were last taken up.
     pub fn saved_scene(&self) -> Option<&SceneDescription> {
         self.world.get_resource::<Reload>()?.description.as_ref()

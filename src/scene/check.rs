@@ -7,12 +7,12 @@ use super::assets::Assets;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::kind::Kind;
 use super::lights;
-use super::load::{Loaded, attempt, bare};
+use super::load::{Loaded, attempt_in, bare};
 use super::mtl::{Appearance, read_mtl};
 use super::text::cannot_read;
 use super::textures::Loading;
 use super::unseen::unseen_by;
-use super::variants::{is_family, load, plan};
+use super::variants::{Family, Member, frames, is_family, load, plan};
 use crate::files;
 
 /// What a check has read and found.
@@ -104,20 +104,14 @@ struct Found {
 
 /// Reads a variant file, and all members as they would be loaded.
 fn check_family(path: &Path, assets: &Assets) -> Found {
-    let mut found = Found::default();
     let family = match plan(path, &[], assets) {
         Ok(family) => family,
-        Err(errors) => return Found { diagnostics: errors, ..found },
+        Err(errors) => return Found { diagnostics: errors, ..Found::default() },
     };
-    found.reads.clone_from(&family.files);
+    let mut found = Found { reads: family.files.clone(), ..Found::default() };
     found.diagnostics.list.clone_from(&family.warnings);
     for member in &family.members {
-        let (loaded, reads) = load(&family, member, &Loading::default(), assets);
-        found.reads.extend(reads);
-        match loaded {
-            Ok(loaded) => found.diagnostics.list.extend(loaded.warnings),
-            Err(errors) => found.diagnostics.list.extend(errors.list),
-        }
+        found.check_member(&family, member, assets);
     }
     found
 }
@@ -131,10 +125,13 @@ fn check_file(path: &Path) -> Found {
     }
     match Kind::of(path) {
         Ok(Some(kind @ (Kind::Scene | Kind::Model))) => {
-            let (loaded, reads) = attempt(path, &[]);
+            let (loaded, reads) = attempt_in(path, &[], &Loading::default(), &assets);
             found.reads = reads;
             match loaded {
-                Ok(loaded) => found.take(path, kind, loaded),
+                Ok(loaded) => {
+                    found.take(path, kind, loaded);
+                    found.check_frames(path, &assets);
+                }
                 Err(errors) => found.diagnostics = errors,
             }
         }
@@ -152,6 +149,29 @@ fn check_file(path: &Path) -> Found {
 }
 
 impl Found {
+    /// Reads a member as it would be loaded. Whether nothing is wrong with it.
+    fn check_member(&mut self, family: &Family, member: &Member, assets: &Assets) -> bool {
+        let (loaded, reads) = load(family, member, &Loading::default(), assets);
+        self.reads.extend(reads);
+        let sound = loaded.is_ok();
+        self.diagnostics.list.extend(match loaded {
+            Ok(loaded) => loaded.warnings,
+            Err(errors) => errors.list,
+        });
+        sound
+    }
+
+    /// Reads the frames of a scene, where it has some, up to the first that is wrong: others are so by the same keys.
+    fn check_frames(&mut self, scene: &Path, assets: &Assets) {
+        match frames(scene, &[], assets) {
+            Ok(None) => {}
+            Ok(Some(family)) => {
+                let _ = family.members.iter().all(|member| self.check_member(&family, member, assets));
+            }
+            Err(errors) => self.diagnostics.list.extend(errors.list),
+        }
+    }
+
     /// Takes the messages, materials and lights of a scene, and what its cameras miss.
     fn take(&mut self, path: &Path, kind: Kind, loaded: Loaded) {
         self.diagnostics.list = loaded.warnings;

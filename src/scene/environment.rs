@@ -28,13 +28,7 @@ pub enum EnvironmentEntry {
 /// or `Sky(sun: (45, 0), ..)`.
 pub fn read_environment(reader: &Reader, node: &Node) -> Option<EnvironmentEntry> {
     let constant = match &node.kind {
-        Kind::Variant("Constant", Some(content)) => {
-            let inner = match &content.kind {
-                Kind::Items(items) if items.len() == 1 => &items[0],
-                _ => content,
-            };
-            inner.colour(1e6).map(EnvironmentEntry::Constant)
-        }
+        Kind::Variant("Constant", Some(content)) => content.inner().colour(1e6).map(EnvironmentEntry::Constant),
         Kind::Variant("Map", Some(content)) => return read_map(reader, content),
         Kind::Variant("Sky", Some(content)) => return read_daylight(reader, content),
         _ => {

@@ -5,6 +5,7 @@
 //!
 //! Whatever a file can't be taken at its word for is an error or a warning at its line and column, never a silent default.
 
+mod animate;
 mod apply;
 mod assets;
 mod audit;

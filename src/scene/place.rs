@@ -24,10 +24,10 @@ pub fn place(entries: &[ModelEntry], diagnostics: &mut Diagnostics) -> Vec<Optio
     let names = names(entries, diagnostics);
     let numbers: BTreeMap<&str, usize> =
         names.iter().enumerate().filter_map(|(number, name)| Some((name.as_deref()?, number))).collect();
-    let family = Family { entries, names: &names, numbers };
+    let models = Models { entries, names: &names, numbers };
     let mut told = Vec::new();
     let placed = names.iter().enumerate().map(|(number, name)| {
-        let transform = family.transform(number).map_err(|error| {
+        let transform = models.transform(number).map_err(|error| {
             // All in a circle have the same to say.
             if !told.contains(&error.message) {
                 told.push(error.message.clone());
@@ -66,13 +66,13 @@ fn unique(name: String, taken: &mut BTreeMap<String, u32>) -> String {
 }
 
 /// The models of a scene, by their places in its list.
-struct Family<'e> {
+struct Models<'e> {
     entries: &'e [ModelEntry],
     names: &'e [Option<String>],
     numbers: BTreeMap<&'e str, usize>,
 }
 
-impl Family<'_> {
+impl Models<'_> {
     /// From a model's own space to the world.
     fn transform(&self, number: usize) -> Result<DAffine3, Diagnostic> {
         let mut chain = vec![number];

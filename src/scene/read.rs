@@ -15,8 +15,8 @@ use super::text::Text;
 /// Bytes that a scene file may have.
 pub const SCENE_LIMIT: u64 = 4 << 20;
 
-/// What a model by itself is a scene of.
-const ALONE: &str = "(environment: Sky(sun: (45, 30)))";
+/// What a model by itself is a scene of: the sun stands to the right of the camera that sees all of it, a little before the model.
+const ALONE: &str = "(environment: Sky(sun: (45, 120)))";
 
 /// Where files are read, and what comes of it beside the scene.
 pub struct Reading<'r> {

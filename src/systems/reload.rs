@@ -43,6 +43,8 @@ pub struct Reload {
     code_restarts: Restarts,
     trial: Trial,
     linter: Linter,
+    /// What the worker sends stays where it is.
+    pub held: bool,
 }
 
 /// Problems by what they are about.
@@ -95,6 +97,7 @@ impl Reload {
             awaited: None,
             code_restarts: Restarts::default(),
             trial: Trial::default(),
+            held: false,
         })
     }
 
@@ -128,12 +131,13 @@ pub fn add_systems(schedule: &mut Schedule) {
     );
 }
 
-/// Takes up all that the worker has sent.
+/// Takes up all that the worker has sent, unless that is held.
 fn take_up_saves(world: &mut World) {
     world.resource_scope(|world, mut reload: Mut<Reload>| {
         let linted = reload.linter.take();
         reload.events.extend(linted);
-        for news in reload.watch.news() {
+        let news = if reload.held { Vec::new() } else { reload.watch.news() };
+        for news in news {
             match news {
                 News::Ready(outcome) => take_up(world, &mut reload, *outcome),
                 News::Compiling { files, since, given_up, warnings } => {

@@ -6,6 +6,7 @@ use glam::DVec3;
 use lucerna::cpu::bsdf::{Specular, mirror};
 
 use super::{BsdfProbe, frame};
+use crate::statistics::{CHI_SQUARE_LIMIT, chi_square_z};
 
 /// Cells about an axis: rows of the angle from it with bounds `rows`, of equal turns.
 pub struct Cells {
@@ -57,6 +58,16 @@ impl Cells {
             }
         }
         integrals
+    }
+
+    /// Holds draws to a pdf's integrals over the cells, and those to a pdf that is wrong by 12 % to either side.
+    pub fn hold(&self, observed: &[u64], integrals: &[f64], count: u32, case: &str) {
+        let expected: Vec<f64> = integrals.iter().map(|p| p * f64::from(count)).collect();
+        let z = chi_square_z(observed, &expected);
+        assert!(z < CHI_SQUARE_LIMIT, "{case}: chi-square is {z} deviations out");
+        let tilted = |i: usize| if i % self.turns < self.turns / 2 { 1.12 } else { 0.88 };
+        let wrong: Vec<f64> = expected.iter().enumerate().map(|(i, e)| e * tilted(i)).collect();
+        assert!(chi_square_z(observed, &wrong) > CHI_SQUARE_LIMIT, "{case}: a pdf wrong by 12 % passes");
     }
 }
 

@@ -23,6 +23,7 @@ use lucerna::shader::Library;
 use crate::rooms::{Room, matte, shiny, trace_batch};
 use crate::statistics::{BATCHES, Pairs, agree};
 use crate::support;
+use crate::support::plant::planted;
 
 /// Pixels of a side of a block whose mean is compared.
 const BLOCK: u32 = 8;
@@ -118,6 +119,23 @@ pub fn against_twin(room: &Room, library: Library, params: &TraceParams) -> Resu
             })
         },
     )
+}
+
+/// Whether the twin draws what the kernel does, with and without asking lights.
+pub fn both_ways_equal_the_twin(room: &Room) {
+    for next_event in [false, true] {
+        let room = Room { next_event, roulette: true, ..room.clone() };
+        against_twin(&room, Library::shipped(), &small(&room))
+            .unwrap_or_else(|why| panic!("asked {next_event}: {why}"));
+    }
+}
+
+/// Holds the twin to each planted mistake: a module, what is right in it, and what is wrong.
+pub fn sees_mistakes(room: &Room, mistakes: &[(&str, &str, &str)]) {
+    for (module, right, wrong) in mistakes {
+        let library = planted(module, right, wrong);
+        assert!(against_twin(room, library, &small(room)).is_err(), "{wrong} in {module} went unnoticed");
+    }
 }
 
 /// Whether asking lights directly finds the same in 8 x 8 pixels of a room as finding them by chance: 330,000 paths each.

@@ -8,7 +8,7 @@ use lucerna::shader::Library;
 use crate::rooms::{Room, matte};
 use crate::support;
 
-use super::{against_twin, block_sums, furnace, gpu_sums, inside, samples, small};
+use super::{against_twin, block_sums, furnace, gpu_sums, inside, samples, sees_mistakes, small};
 
 #[test]
 fn equals_the_f64_twin() {
@@ -36,10 +36,7 @@ fn an_error_of_one_percent_is_seen() {
         (&asked, "passes/trace/connect", "return area_pdf * (t * t", "return 1.02 * area_pdf * (t * t"),
         (&asked, "lib/bsdf/lambert", "return kd * (INV_PI", "return kd * (1.01 * INV_PI"),
     ] {
-        let text = std::fs::read_to_string(format!("shaders/{module}.wgsl")).unwrap();
-        assert!(text.contains(right), "{module} has changed: plant the error elsewhere");
-        let library = Library::shipped().with(module, &text.replace(right, wrong));
-        assert!(against_twin(room, library, &small(room)).is_err(), "{wrong} in {module} went unnoticed");
+        sees_mistakes(room, &[(module, right, wrong)]);
     }
 }
 

@@ -5,6 +5,7 @@ use std::io::Write;
 use std::time::{Duration, Instant};
 
 use super::{Bench, MTL};
+use crate::support::patience::Patience;
 
 const FILE: &str = "shaders/passes/display/display.wgsl";
 
@@ -172,4 +173,21 @@ fn a_folder_that_goes_and_comes_back_is_watched_again() {
         bench.replace(FILE, "srgb8(", "srgb8(0.9 * ");
         assert_eq!(bench.reloaded(), "picture", "{name}");
     }
+}
+
+#[test]
+fn what_is_held_is_taken_up_once_it_is_not() {
+    let mut bench = Bench::new();
+    let before = bench.film();
+    bench.engine.hold_saves(true);
+    bench.replace("room.mtl", "Kd 0.5 0.5 0.5", "Kd 0.1 0.1 0.1");
+    let mut patience = Patience::here();
+    while !bench.engine.has_saves() {
+        patience.wait("the save");
+    }
+    bench.finish();
+    assert!(bench.events.is_empty() && bench.engine.has_saves() && bench.film().pixels == before.pixels);
+    bench.engine.hold_saves(false);
+    assert_eq!(bench.reloaded(), "film");
+    assert!(bench.film().pixels == bench.fresh_film().pixels);
 }

@@ -2,6 +2,7 @@
 
 pub mod dice;
 pub mod patience;
+pub mod plant;
 pub mod stage;
 pub mod tracer;
 pub mod trees;

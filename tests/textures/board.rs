@@ -6,8 +6,8 @@ use std::sync::Arc;
 use bevy_ecs::prelude::*;
 use glam::{DAffine3, DVec3, UVec2, Vec2, Vec3};
 use lucerna::components::{
-    Camera, Channel, Environment, Film, Lobe, Maps, Material, MeshData, Reading, Render, Texels, Texture, TextureImage,
-    Transform, Wrap,
+    Camera, Channel, Environment, Film, Lobe, Maps, Material, MeshData, Passage, Reading, Render, Texels, Texture,
+    TextureImage, Transform, Wrap,
 };
 use lucerna::scene::generate::icosphere;
 use lucerna::scene::{self, MeshEntry, SceneDescription};
@@ -216,8 +216,22 @@ pub fn wall(render: Render) -> Scene {
     scene
 }
 
-/// A smooth ball with relief, turned, stretched and mirrored, below the lamp.
+/// A smooth ball with relief, glossy and coloured.
 pub fn ball(render: Render) -> Scene {
+    let material = Material { specular: Vec3::splat(0.3), lobe: Lobe::Phong(8.0), ..Material::default() };
+    let maps = Textures { relief: Some(heights([12, 7], 0.2)), diffuse: Some(colour([5, 4])), ..Textures::default() };
+    ball_of(render, material, maps)
+}
+
+/// A smooth ball of tinted glass with relief.
+pub fn glass_ball(render: Render) -> Scene {
+    let material = Material { passage: Passage::Glass(1.5), filter: Vec3::new(0.8, 0.9, 1.0), ..Material::default() };
+    let maps = Textures { relief: Some(heights([12, 7], 0.2)), ..Textures::default() };
+    ball_of(render, material, maps)
+}
+
+/// A smooth ball, turned, stretched and mirrored, below the lamp.
+fn ball_of(render: Render, material: Material, maps: Textures) -> Scene {
     let mut scene = Scene::new(8, render);
     scene.lamp(Vec3::new(5.0, 4.5, 4.0), Textures::default());
     let corners = icosphere(2);
@@ -232,8 +246,6 @@ pub fn ball(render: Render) -> Scene {
         uv_triangles: triangles,
     };
     let turn = DAffine3::from_axis_angle(DVec3::new(0.6, 0.0, 0.8), 0.7);
-    let material = Material { specular: Vec3::splat(0.3), lobe: Lobe::Phong(8.0), ..Material::default() };
-    let maps = Textures { relief: Some(heights([12, 7], 0.2)), diffuse: Some(colour([5, 4])), ..Textures::default() };
     scene.part("ball", mesh, turn * DAffine3::from_scale(DVec3::new(-0.9, 0.7, 0.8)), material, maps);
     scene
 }

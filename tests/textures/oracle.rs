@@ -6,11 +6,12 @@ use std::time::Duration;
 use bevy_ecs::prelude::*;
 use glam::{DVec3, Vec3};
 use lucerna::components::{Integrator, Reading, Render, Texels, Texture, TextureFilter, TextureImage};
+use lucerna::image::srgb::srgb_decode;
 use lucerna::oracle::Oracle;
 use lucerna::shader::Library;
 use lucerna::{Engine, scene};
 
-use super::board::{COLUMNS, Scene, ball, wall};
+use super::board::{COLUMNS, Scene, ball, glass_ball, wall};
 use super::leaves::{self, leaves};
 use crate::statistics::{BATCHES, Pairs, agree};
 use crate::support;
@@ -87,6 +88,18 @@ fn as_linear(texture: &mut Texture) {
     }
 }
 
+/// Colours as pictures of more than eight bits hold them: their light itself, which the device keeps as f16.
+fn as_light(texture: &mut Texture) {
+    if let (Reading::Colour, Texels::Rgba8(codes)) = (texture.reading, &texture.image.texels) {
+        let light = |[r, g, b, a]: &[u8; 4]| {
+            let [r, g, b] = [r, g, b].map(|code| srgb_decode(f64::from(*code) / 255.0) as f32);
+            [r, g, b, f32::from(*a) / 255.0]
+        };
+        let texels = Texels::Float(codes.iter().map(light).collect());
+        texture.image = Arc::new(TextureImage { size: texture.image.size, texels });
+    }
+}
+
 /// How many blocks differ, by what is wrong.
 fn differing(wrong: &[String], name: &str) -> usize {
     let mut blocks: Vec<&str> =
@@ -123,6 +136,8 @@ fn each_map_equals_the_oracle() {
     let wrong = differences(&films, &rights);
     assert!(wrong.is_empty(), "{wrong:#?}");
     assert_eq!(seeing(1.01, &films, &rights, "the wall"), COLUMNS * COLUMNS);
+    let wrong = differences(&ours(&mut engine, &with(&scene, as_light), COLUMNS, spp), &rights);
+    assert!(wrong.is_empty(), "as light, in f16: {wrong:#?}");
     // What is planted is far more than a percent: fewer samples show it. One patch has a picture of one texel, four have no colour.
     let half_a_texel = |texture: &mut Texture| texture.offset += 0.5 / texture.image.size.as_vec2();
     let upside_down = |texture: &mut Texture| {
@@ -165,6 +180,27 @@ fn holes_and_mapped_lamps_equal_the_oracle() {
 }
 
 #[test]
+fn relief_on_glass_equals_the_oracle() {
+    let spp = if support::stress() { 16_384 } else { 2048 };
+    let scene = glass_ball(Render { max_depth: 6, ..render(Integrator::Path) });
+    let rights = right(&scene, 2, spp);
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &scene.description).unwrap();
+    let films = ours(&mut engine, &scene, 2, spp);
+    let wrong = differences(&films, &rights);
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert_eq!(seeing(1.01, &films, &rights, "the ball of glass"), 4);
+    let films = ours(&mut engine, &with(&scene, inside_out), 2, spp);
+    assert!(differing(&differences(&films, &rights), "inside out") > 0, "heights inside out went unnoticed");
+}
+
+/// Valleys for hills.
+fn inside_out(texture: &mut Texture) {
+    if let Reading::Height { depth, .. } = &mut texture.reading {
+        *depth = -*depth;
+    }
+}
+
+#[test]
 fn relief_on_a_smooth_ball_equals_the_oracle() {
     let spp = if support::stress() { 8192 } else { 1024 };
     let scene = ball(render(Integrator::Path));
@@ -174,12 +210,6 @@ fn relief_on_a_smooth_ball_equals_the_oracle() {
     let wrong = differences(&films, &rights);
     assert!(wrong.is_empty(), "{wrong:#?}");
     assert_eq!(seeing(1.01, &films, &rights, "the ball"), 4);
-    // Valleys for hills.
-    let inside_out = with(&scene, |texture| {
-        if let Reading::Height { depth, .. } = &mut texture.reading {
-            *depth = -*depth;
-        }
-    });
-    let films = ours(&mut engine, &inside_out, 2, spp);
+    let films = ours(&mut engine, &with(&scene, inside_out), 2, spp);
     assert!(differing(&differences(&films, &rights), "inside out") > 0, "heights inside out went unnoticed");
 }

@@ -37,8 +37,8 @@ fn a_person_edits_and_sees() {
     // A right edit: all diffuse surfaces twice as bright where a light is asked.
     replace(&file(SHADER), "return kd * (INV_PI * cos_theta);", "return kd * (2.0 * INV_PI * cos_theta);");
     person.see("the brighter picture", |look| brightness(look) > 1.1 * brightness(&first));
-    person.finish();
-    let bright = person.look();
+    let bright = person.rendered_scene("scene.ron", "192x144");
+    person.see("all its samples, once the notices are gone", |look| *look == bright);
 
     let calm = letters(&bright);
     let stderr = || std::fs::read_to_string(file("stderr")).unwrap();

@@ -35,7 +35,7 @@ pub struct Person {
 
 impl Person {
     /// Opens the Cornell box in a small window.
-    fn new(more: &[&str]) -> Self {
+    pub fn new(more: &[&str]) -> Self {
         Self::in_folder(tempfile::tempdir().unwrap(), "cornell-box", more)
     }
 
@@ -101,12 +101,12 @@ impl Person {
     }
 
     /// What the process wrote to stdout.
-    fn said(&self) -> String {
+    pub fn said(&self) -> String {
         std::fs::read_to_string(self.folder.path().join("stdout")).unwrap()
     }
 
     /// The same picture without a window.
-    fn rendered(&self, size: &str, more: &[&str]) -> Screenshot {
+    pub fn rendered(&self, size: &str, more: &[&str]) -> Screenshot {
         self.rendered_by("cornell-box", size, more)
     }
 
@@ -161,7 +161,7 @@ impl Drop for Person {
 }
 
 /// The camera of a printed line: what is behind the name.
-fn camera_of(line: &str) -> &str {
+pub fn camera_of(line: &str) -> &str {
     line.trim().trim_start_matches("\"front\":").trim().trim_end_matches(',')
 }
 

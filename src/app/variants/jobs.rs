@@ -256,13 +256,15 @@ fn member(
 
 /// The command that renders a member alone. `render` sets no values of shaders, and takes folders that are whole.
 pub fn repeat(family: &Family, survey: &Survey, subject: &Subject, described: &Described) -> String {
-    match subject.member.values.is_empty() && subject.member.shaders.is_none() {
-        true => described.repeat(),
-        false => {
-            let [file, name] = [&family.path.display().to_string(), &subject.member.name].map(|word| quoted(word));
-            format!("lucerna variants {file} --only {name}{}", survey.flags)
-        }
+    if subject.member.values.is_empty() && subject.member.shaders.is_none() {
+        return described.repeat();
     }
+    let [file, name] = [&family.path.display().to_string(), &subject.member.name].map(|word| quoted(word));
+    let command = match family.fps {
+        Some(_) => format!("lucerna animate {file} --frames {name}"),
+        None => format!("lucerna variants {file} --only {name}"),
+    };
+    command + &survey.flags
 }
 
 /// A member that broke while it was rendered.

@@ -2,22 +2,23 @@
 
 use std::path::Path;
 
-use super::arguments::VariantsArguments;
 use super::shelf;
 use super::survey::{Survey, order};
+use super::wanted::Wanted;
 use crate::app::shared::output;
 use crate::app::{Exit, Failure};
 use crate::scene::variants::Family;
 
 /// Prints a line a member, in the order that they would be rendered in; those that are broken come last.
-pub fn print(family: &Family, survey: &Survey, folder: &Path, arguments: &VariantsArguments) -> Result<Exit, Failure> {
+pub fn print(family: &Family, survey: &Survey, folder: &Path, wanted: &Wanted) -> Result<Exit, Failure> {
     let mut text = String::new();
     let mut broken = false;
     let width = family.members.iter().map(|member| member.name.chars().count()).max().unwrap_or(0);
-    for subject in order(&survey.found).into_iter().filter_map(|index| survey.found[index].as_ref().ok()) {
+    for index in order(&survey.found) {
+        let Ok(subject) = &survey.found[index] else { continue };
         let state = match shelf::find(folder, subject) {
             Some(_) => "done",
-            None if subject.is_reference || arguments.wants(&subject.member.name) => "to be rendered",
+            None if subject.is_reference || wanted.has(index, &subject.member.name) => "to be rendered",
             None => "not wanted",
         };
         let what = if subject.is_reference { ", the reference's own film" } else { "" };
@@ -30,8 +31,9 @@ pub fn print(family: &Family, survey: &Survey, folder: &Path, arguments: &Varian
     let trees: std::collections::BTreeSet<usize> =
         survey.found.iter().flatten().map(|subject| subject.keys.geometry).collect();
     text += &format!(
-        "{} members, {} trees, {} libraries of shaders, {} files read\n",
+        "{} {}, {} trees, {} libraries of shaders, {} files read\n",
         family.members.len(),
+        family.word(),
         trees.len(),
         survey.codes.len(),
         survey.files.len(),

@@ -17,11 +17,11 @@ use crate::image::{Output, Picture, PictureFile, SaveError, file};
 /// A folder that can't be used.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum ShelfError {
-    #[error("{}: another `lucerna variants` is at work in this folder", .0.display())]
-    #[diagnostic(help("wait for it, or choose another folder with --out DIR"))]
+    #[error("{}: another process renders into this folder", .0.display())]
+    #[diagnostic(help("wait for it, or choose another folder with --out"))]
     Busy(PathBuf),
     #[error("{}: can't be used: {source}", folder.display())]
-    #[diagnostic(help("choose another folder with --out DIR"))]
+    #[diagnostic(help("choose another folder with --out"))]
     Folder { folder: PathBuf, source: io::Error },
 }
 

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::arguments::VariantsArguments;
 use super::code::Codes;
+use super::flags::FamilyFlags;
 use super::keys::{Keys, Numbering};
 use crate::app::Failure;
 use crate::app::shared::key::hash;
@@ -58,17 +58,17 @@ pub struct Survey {
 }
 
 /// Loads all members. Fails where every one of them is wrong by the same message.
-pub fn survey(family: &Family, assets: &Assets, arguments: &VariantsArguments) -> Result<Survey, Failure> {
-    let goal = arguments.goal(family);
+pub fn survey(family: &Family, assets: &Assets, flags: &FamilyFlags) -> Result<Survey, Failure> {
+    let goal = flags.goal(family);
     let mut reader = Reader {
         family,
         assets,
-        arguments,
+        flags,
         goal,
-        codes: Codes::new(arguments.shaders.as_deref()),
+        codes: Codes::new(flags.shaders.as_deref()),
         digests: BTreeMap::new(),
         warnings: Vec::new(),
-        // Of the variant files themselves.
+        // Of the family's own files.
         reads: family.files.len() as u32,
     };
     let mut found: Vec<Found> = family.members.iter().map(|member| reader.member(member)).collect();
@@ -87,13 +87,13 @@ pub fn survey(family: &Family, assets: &Assets, arguments: &VariantsArguments) -
     }
     let there = digests.into_iter().filter(|(_, digest)| digest.is_some());
     let files = there.map(|(file, _)| file).collect();
-    Ok(Survey { found, codes, warnings, shaders: arguments.shaders.clone(), flags: arguments.repeated(), files })
+    Ok(Survey { found, codes, warnings, shaders: flags.shaders.clone(), flags: flags.repeated(), files })
 }
 
 struct Reader<'s> {
     family: &'s Family,
     assets: &'s Assets,
-    arguments: &'s VariantsArguments,
+    flags: &'s FamilyFlags,
     goal: Option<Goal>,
     codes: Codes,
     /// `None` where there is no such file.
@@ -110,7 +110,7 @@ impl Reader<'_> {
             .codes
             .number(member)
             .map_err(|message| broken(Diagnostic { severity: Severity::Error, message, ..member.place.clone() }))?;
-        let tell = watch_pictures(self.arguments.quiet);
+        let tell = watch_pictures(self.flags.quiet);
         let loading = Loading { tell: &tell, ..Loading::default() };
         let (loaded, files) = variants::load(self.family, member, &loading, self.assets);
         let reads = self.assets.count();
@@ -126,7 +126,7 @@ impl Reader<'_> {
             }
         }
         let mut description = loaded.description;
-        if self.arguments.size == Some(description.film.size) {
+        if self.flags.size == Some(description.film.size) {
             // A crop in pixels is one of the scene's own size.
             description.film.crop = None;
         }

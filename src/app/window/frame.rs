@@ -39,10 +39,13 @@ impl Session {
         self.follow_window(now);
         self.show_judgement();
         let before = self.traced();
-        if self.engine.has_saves() {
+        let saves = self.engine.has_saves();
+        if saves {
             self.end_judging();
             self.keep_seen();
         }
+        // What is saved between here and the step is left to the next frame, which first keeps what is seen.
+        self.engine.hold_saves(!saves);
         // Judging has the device to itself.
         if self.activity.working && !self.judgement.is_under_way() {
             self.step()?;

@@ -38,18 +38,14 @@ pub fn read_camera(reader: &Reader, node: &Node, path: &str) -> Option<Camera> {
 }
 
 /// `Distance(12)`; `At((x, y, z))`, with or without the inner parentheses; or `LookAt`.
-fn read_focus<'n, 'a>(node: &'n Node<'a>) -> Result<Focus, String> {
-    let one = |content: &'n Kind<'a>| match content {
-        Kind::Items(items) if items.len() == 1 => items.first(),
-        _ => None,
-    };
+fn read_focus(node: &Node) -> Result<Focus, String> {
     match &node.kind {
         Kind::Variant("LookAt", None) => Ok(Focus::LookAt),
         Kind::Variant("Distance", Some(content)) => {
             let [nearest, farthest] = Lens::FOCUS_RANGE;
-            one(&content.kind).unwrap_or(content).number(nearest, farthest).map(Focus::Distance)
+            content.inner().number(nearest, farthest).map(Focus::Distance)
         }
-        Kind::Variant("At", Some(content)) => one(&content.kind).unwrap_or(content).vector().map(Focus::At),
+        Kind::Variant("At", Some(content)) => content.inner().vector().map(Focus::At),
         _ => Err(format!("expected Distance(12), At((x, y, z)) or LookAt, found {}", node.describe())),
     }
 }

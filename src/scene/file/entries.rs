@@ -1,6 +1,6 @@
 //! Lists and maps of scene files, entry by entry.
 
-use crate::scene::ron::{Kind, Node, Reader};
+use crate::scene::ron::{Node, Reader};
 
 /// The entries of a list, those that are right.
 pub fn read_list<T>(
@@ -30,7 +30,7 @@ pub fn read_entries<T>(
     match node.fields() {
         Ok(fields) => fields
             .iter()
-            .filter(|(.., node)| !matches!(node.kind, Kind::Variant("None", None)))
+            .filter(|(.., node)| !node.is_none())
             .filter_map(|(name, _, node)| Some((name.clone(), read(reader, node, &format!("{path}.{name}"))?)))
             .collect(),
         Err(message) => {

@@ -1,5 +1,6 @@
 //! Scene files: what each field means, its range and its default.
 
+mod animate;
 mod camera;
 mod entries;
 mod extend;
@@ -12,11 +13,13 @@ use std::collections::BTreeMap;
 
 use glam::UVec2;
 
+use super::animate::Animation;
 use super::environment::{EnvironmentEntry, read_environment};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::settings::{Group, SETTINGS, Settings, Value};
 use super::suggest::known_names;
 use crate::components::{Camera, Crop, Film, Light};
+use animate::read_animation;
 use camera::read_camera;
 use entries::{read_entries, read_list};
 use light::read_light;
@@ -44,6 +47,7 @@ pub struct SceneFile {
     pub dark_if_lit: bool,
     /// Sorted by name; full keys (`model:material`) after bare names, so that they win.
     pub materials: Vec<MaterialEntry>,
+    pub animation: Option<Animation>,
 }
 
 /// The fields of a whole file, which may be named: `Scene(..)`.
@@ -82,6 +86,7 @@ pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
         file.materials = read_materials(reader, node, "materials");
         file.materials.sort_by_key(|entry| (entry.name.contains(':'), entry.name.clone()));
     }
+    file.animation = fields.get("animate").and_then(|node| read_animation(reader, node, "animate"));
     fields.finish();
     file
 }

@@ -68,6 +68,7 @@ pub struct Ledger {
     /// None where nobody asks.
     materials: Option<BTreeMap<String, Vec<Statement>>>,
     current: String,
+    /// Statements so far, kept or not.
     count: usize,
 }
 
@@ -101,6 +102,11 @@ impl Ledger {
         let words: Vec<&str> = std::iter::once(word).chain(rest.split_whitespace()).collect();
         let text: String = words.join(" ").chars().take(SHOWN).map(|c| if c.is_control() { ' ' } else { c }).collect();
         list.push(Statement { text, what, place, taken, said, superseded: None });
+    }
+
+    /// Statements that were too many to be kept.
+    pub fn left_out(&self) -> usize {
+        self.count.saturating_sub(MOST)
     }
 
     /// What was kept of a material.

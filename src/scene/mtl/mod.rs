@@ -78,6 +78,10 @@ pub fn read_accounts(file: &Path, diagnostics: &mut Diagnostics) -> BTreeMap<Str
         };
         drafts.iter().zip(materials).map(account).collect()
     });
+    if ledger.left_out() > 0 {
+        let message = format!("the last {} statements of this library are not told one by one", ledger.left_out());
+        tally.diagnostics.push(Diagnostic::file(Severity::Warning, file, message));
+    }
     diagnostics.list.extend(tally.finish());
     accounts.unwrap_or_default()
 }

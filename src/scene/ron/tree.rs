@@ -26,7 +26,7 @@ pub struct Node<'a> {
 /// What a value is made of.
 #[derive(Clone, Debug)]
 pub enum Kind<'a> {
-    /// `(name: value, ..)` or `{ "name": value, .. }`: name, its slice of the text, value.
+    /// `(name: value, ..)`, `{ "name": value, .. }` or `{ 7: value, .. }`: name, its slice of the text, value.
     Fields(Vec<(String, &'a str, Node<'a>)>),
     /// `(a, b)` or `[a, b]`.
     Items(Vec<Node<'a>>),
@@ -109,7 +109,7 @@ fn level<'a>(text: &'a Text, source: &'a str, depth: usize) -> Result<Kind<'a>, 
                 let node = build(text, raw, depth + 1)?;
                 let place = match key {
                     Cow::Borrowed(key) => key,
-                    Cow::Owned(_) => node.source,
+                    Cow::Owned(_) => number_before(source, raw).unwrap_or(node.source),
                 };
                 list.push((key.into_owned(), place, node));
             }
@@ -120,6 +120,14 @@ fn level<'a>(text: &'a Text, source: &'a str, depth: usize) -> Result<Kind<'a>, 
             items.into_iter().map(|raw| build(text, raw, depth + 1)).collect::<Result<_, _>>().map(Kind::Items)
         }
     }
+}
+
+/// The number that is the key of a value of `source`; none where its key is no number.
+fn number_before<'a>(source: &'a str, value: &'a RawValue) -> Option<&'a str> {
+    let offset = (value.get_ron().as_ptr() as usize).checked_sub(source.as_ptr() as usize)?;
+    let before = source.get(..offset)?.trim_end().strip_suffix(':')?.trim_end();
+    let start = before.rfind(|c: char| !(c.is_alphanumeric() || "+-._".contains(c)))? + 1;
+    Some(&before[start..]).filter(|number| number.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)))
 }
 
 /// A field given twice is an error at its second place.
@@ -174,12 +182,12 @@ impl<'de> Visitor<'de> for LevelVisitor {
     }
 }
 
-/// A field's name: an identifier, or a string in a map. Borrowed where the text holds it without escapes.
+/// A field's name: an identifier, or a string or a number in a map. Borrowed where the text holds it without escapes.
 struct Key<'a>(Cow<'a, str>);
 
 impl<'de> Deserialize<'de> for Key<'de> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_str(KeyVisitor).map(Key)
+        deserializer.deserialize_any(KeyVisitor).map(Key)
     }
 }
 
@@ -190,6 +198,18 @@ impl<'de> Visitor<'de> for KeyVisitor {
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str("a name")
+    }
+
+    fn visit_u64<E: de::Error>(self, key: u64) -> Result<Self::Value, E> {
+        Ok(Cow::Owned(key.to_string()))
+    }
+
+    fn visit_i64<E: de::Error>(self, key: i64) -> Result<Self::Value, E> {
+        Ok(Cow::Owned(key.to_string()))
+    }
+
+    fn visit_f64<E: de::Error>(self, key: f64) -> Result<Self::Value, E> {
+        Ok(Cow::Owned(key.to_string()))
     }
 
     fn visit_borrowed_str<E: de::Error>(self, key: &'de str) -> Result<Self::Value, E> {

@@ -107,6 +107,19 @@ impl<'a> Node<'a> {
         .map(|colour| colour.as_vec3())
     }
 
+    /// What stands in the parentheses of `name(..)`, where that is one value.
+    pub fn inner(&self) -> &Self {
+        match &self.kind {
+            Kind::Items(items) if items.len() == 1 => &items[0],
+            _ => self,
+        }
+    }
+
+    /// Whether it is `None`, which in maps takes away what the file that is extended has.
+    pub fn is_none(&self) -> bool {
+        matches!(self.kind, Kind::Variant("None", None))
+    }
+
     /// One of some words.
     pub fn one_of<T: Copy>(&self, words: &[(&str, T)]) -> Result<T, String> {
         let Kind::Variant(name, None) = &self.kind else { return Err(self.expected_word(words)) };

@@ -24,11 +24,7 @@ fn value_of(node: &Node) -> Value {
         Kind::Variant("None", None) => Value::Null,
         Kind::Variant(name, None) => Value::String((*name).to_owned()),
         Kind::Variant(name, Some(content)) => {
-            let inner = match &content.kind {
-                Kind::Items(items) if items.len() == 1 => &items[0],
-                _ => content,
-            };
-            Value::Object(Map::from_iter([((*name).to_owned(), value_of(inner))]))
+            Value::Object(Map::from_iter([((*name).to_owned(), value_of(content.inner()))]))
         }
         Kind::Scalar => scalar(node),
     }

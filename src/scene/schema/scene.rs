@@ -1,10 +1,12 @@
 //! The schema of scene files. Ranges that only one reader knows are left to it: it says what is wrong at its place.
 
 use schemars::{Schema, json_schema};
+use serde_json::Map;
 
-use super::parts::{about, any, between, each, list, map, number, object, or_none, text, tuple, variant};
+use super::parts::{about, any, between, each, list, map, number, object, or_none, text, tuple, variant, whole};
 use super::values::{keys, settings};
 use crate::components::{Cone, Lens, Light};
+use crate::scene::animate::MOST_FRAMES;
 use crate::scene::settings::Group;
 
 /// What a scene file may hold.
@@ -15,7 +17,8 @@ pub fn scene() -> Schema {
     schema
 }
 
-fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
+/// The fields of a scene file.
+pub fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
     [
         ("extends", text("a scene file, relative to this one: what this one says is written over it")),
         ("models", list("what is in the scene", model())),
@@ -26,15 +29,16 @@ fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
         ("render", render()),
         ("environment", environment()),
         ("materials", map("changes of materials, by `name` or `model:name`", or_none(material()))),
+        ("animate", animation()),
     ]
     .into_iter()
 }
 
-pub fn film() -> Schema {
+fn film() -> Schema {
     object("the picture", settings(Group::Film).map(|(name, schema)| (name, or_none(schema))), &[])
 }
 
-pub fn render() -> Schema {
+fn render() -> Schema {
     object("how it is rendered", settings(Group::Render).map(|(name, schema)| (name, or_none(schema))), &[])
 }
 
@@ -127,7 +131,29 @@ fn focus() -> Schema {
     any(words.into())
 }
 
-pub fn environment() -> Schema {
+fn animation() -> Schema {
+    let values = || {
+        let times = Map::from_iter([(r"^([0-9]+|[0-9.]+ *s)$".to_owned(), json_schema!({}).to_value())]);
+        json_schema!({
+            "description": "values by the number of a frame, as 24, or by seconds, as \"1.5s\"",
+            "type": "object", "patternProperties": times, "additionalProperties": false,
+        })
+    };
+    let track = any(vec![
+        about("values that go from key to key on straight lines", values()),
+        about("on a smooth curve, never beyond the keys", variant("Smooth", values())),
+        about("at once", variant("Step", values())),
+    ]);
+    let fields = [
+        ("frames", about("how many there are", whole(1, MOST_FRAMES))),
+        ("fps", or_none(about("frames a second; 24 without it", between(0.1, 1000.0)))),
+        ("keys", map("what changes, by paths such as `cameras.front.position`", or_none(track))),
+    ];
+    // What a file extends may have the others.
+    object("values that change with time: frames and keys, unless the file extends one that has them", fields, &[])
+}
+
+fn environment() -> Schema {
     let colour = || each(3, json_schema!({ "type": "number", "minimum": 0 }));
     let map = [
         (

@@ -3,8 +3,8 @@
 use schemars::{Schema, json_schema};
 use serde_json::{Map, Value};
 
-use super::parts::{about, any, between, list, map, number, object, or_none, text, variant, whole};
-use super::scene::{camera, environment, film, light, material, model, render};
+use super::parts::{about, any, between, map, number, object, or_none, text, variant, whole};
+use super::scene::{camera, fields, light, material, model};
 use super::values::{keys, settings};
 use crate::scene::settings::Group;
 
@@ -31,18 +31,12 @@ fn by_path(doc: &str, of: impl Fn(Schema) -> Schema) -> Schema {
     for (group, name) in [(Group::Film, "film"), (Group::Render, "render")] {
         settings(group).for_each(|(field, schema)| add(format!("{name}.{field}"), or_none(schema)));
     }
-    let parts: [(&str, Schema); 9] = [
-        ("film", film()),
-        ("render", render()),
-        ("environment", environment()),
-        ("models", list("what is in the scene", model())),
-        ("camera", text("a view, by its name")),
-        ("cameras", map("views, by name", or_none(camera()))),
-        ("lights", map("lights without extent, by name", or_none(light()))),
+    let beside = [
         ("scene", text("another scene file than that of `extends`, relative to this file")),
         ("shaders", text("a folder of shaders, relative to this file; None: those that all others have")),
     ];
-    parts.into_iter().for_each(|(path, schema)| add(path.to_owned(), or_none(schema)));
+    let parts = fields().filter(|(name, _)| !matches!(*name, "extends" | "animate")).chain(beside);
+    parts.for_each(|(path, schema)| add(path.to_owned(), or_none(schema)));
     let mut patterns: Map<String, Value> = Map::new();
     let mut add = |pattern: String, schema: Schema| drop(patterns.insert(pattern, of(schema).to_value()));
     // A name in double quotes may hold dots.

@@ -1,4 +1,4 @@
-//! What a variant file comes to: members, and what they are compared by.
+//! What a variant file or an animation comes to: members, and what they are compared by.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use crate::scene::diagnostic::Diagnostic;
 /// The most members of a family.
 pub const MOST_MEMBERS: usize = 4096;
 
-/// A variant file, understood. No scene of it was read.
+/// A variant file or an animation, understood. No member of it was read.
 #[derive(Clone, Debug)]
 pub struct Family {
     /// Of the file, without its ending.
@@ -22,6 +22,8 @@ pub struct Family {
     pub members: Vec<Member>,
     pub reference: Option<Chosen>,
     pub goal: Option<Goal>,
+    /// Frames a second, where its members are those of a film.
+    pub fps: Option<f64>,
     /// What is not taken as written.
     pub warnings: Vec<Diagnostic>,
     /// All variant files that were read for it: of the chain of `extends`.
@@ -32,6 +34,11 @@ impl Family {
     /// The scene file that a member changes.
     pub fn scene_of<'f>(&'f self, member: &'f Member) -> &'f Path {
         member.scene.as_deref().unwrap_or(&self.scene)
+    }
+
+    /// What its members are, in a word.
+    pub fn word(&self) -> &'static str {
+        if self.fps.is_some() { "frames" } else { "members" }
     }
 }
 

@@ -38,21 +38,11 @@ pub fn enumerate(
         let place = family.sweep.first().map_or(family.place.clone(), |swept| swept.place.clone());
         return Err(fail(Diagnostic { severity: Severity::Error, message, ..place }.help("go through fewer values")));
     };
-    refuse_overlaps(&family.sweep).map_err(fail)?;
-    // As every member begins.
-    let mut plain = Member {
-        name: String::new(),
-        at: Vec::new(),
-        scene: None,
-        defines: Vec::new(),
-        shaders: None,
-        values: BTreeMap::new(),
-        place: Diagnostic { severity: Severity::Warning, ..family.place.clone() },
-        wrong: None,
-    };
-    for define in family.overrides.iter().chain(defines) {
-        change(&mut plain, define).map_err(fail)?;
-    }
+    let columns = family.sweep.iter().flat_map(|axis| &axis.columns);
+    let columns: Vec<(&str, &Diagnostic)> = columns.map(|column| (column.path.as_str(), &column.place)).collect();
+    let help = "one would write over the other: go through one of them, or through both by one axis of named({..})";
+    refuse_overlaps(&columns, help).map_err(fail)?;
+    let plain = plain(&family.place, family.overrides.iter().chain(defines)).map_err(fail)?;
     let mut members = Vec::with_capacity(grid + family.members.len());
     for index in 0..grid {
         members.push(of_grid_at(&family.sweep, index, plain.clone()).map_err(fail)?);
@@ -85,9 +75,28 @@ pub fn enumerate(
         members,
         reference: family.reference.map(|(chosen, _)| chosen),
         goal: family.goal,
-        warnings: hidden(&family.sweep, defines),
+        fps: None,
+        warnings: hidden(&columns, defines),
         files,
     })
+}
+
+/// As every member of a file begins, of which `place` is an error without its message.
+pub fn plain<'d>(place: &Diagnostic, defines: impl Iterator<Item = &'d Define>) -> Result<Member, Diagnostic> {
+    let mut plain = Member {
+        name: String::new(),
+        at: Vec::new(),
+        scene: None,
+        defines: Vec::new(),
+        shaders: None,
+        values: BTreeMap::new(),
+        place: Diagnostic { severity: Severity::Warning, ..place.clone() },
+        wrong: None,
+    };
+    for define in defines {
+        change(&mut plain, define)?;
+    }
+    Ok(plain)
 }
 
 /// How many members a grid has; none where that is beyond counting.
@@ -129,19 +138,16 @@ fn written(by_hand: &ByHand, plain: Member) -> Result<Member, Diagnostic> {
     Ok(member)
 }
 
-/// A path that two axes set, or of which one sets a part, would be what the later one says for all members.
-fn refuse_overlaps(axes: &[Swept]) -> Result<(), Diagnostic> {
-    let columns: Vec<_> = axes.iter().flat_map(|axis| &axis.columns).collect();
-    for (i, column) in columns.iter().enumerate() {
+/// A path that is changed twice, or of which a part is, would be what the later change says for all members. Paths have their places.
+pub fn refuse_overlaps(columns: &[(&str, &Diagnostic)], help: &str) -> Result<(), Diagnostic> {
+    for (i, (path, place)) in columns.iter().enumerate() {
         let is_over = |other: &str| {
-            let part = other.strip_prefix(column.path.as_str()).or(column.path.strip_prefix(other));
+            let part = other.strip_prefix(path).or(path.strip_prefix(other));
             part.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
-        if let Some(other) = columns[..i].iter().find(|other| is_over(&other.path)) {
-            let message = format!("`{}` and `{}` are gone through at once", other.path, column.path);
-            let help =
-                "one would write over the other: go through one of them, or through both by one axis of named({..})";
-            return Err(Diagnostic { severity: Severity::Error, message, ..column.place.clone() }.help(help));
+        if let Some((other, _)) = columns[..i].iter().find(|(other, _)| is_over(other)) {
+            let message = format!("`{other}` and `{path}` are gone through at once");
+            return Err(Diagnostic { severity: Severity::Error, message, ..(*place).clone() }.help(help));
         }
     }
     Ok(())
@@ -161,15 +167,10 @@ fn refuse_equal_names(members: &[Member]) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-/// Says which defines of the command line a sweep writes over.
-fn hidden(axes: &[Swept], defines: &[Define]) -> Vec<Diagnostic> {
-    let columns = axes.iter().flat_map(|axis| &axis.columns);
-    let over = columns.filter(|column| defines.iter().any(|define| define.path == column.path));
-    let message = |path: &str| format!("the sweep of `{path}` writes over `-D {path}=..`");
-    over.map(|column| Diagnostic {
-        severity: Severity::Warning,
-        message: message(&column.path),
-        ..column.place.clone()
-    })
-    .collect()
+/// Says which defines of the command line members write over.
+pub fn hidden(columns: &[(&str, &Diagnostic)], defines: &[Define]) -> Vec<Diagnostic> {
+    let over = columns.iter().filter(|(path, _)| defines.iter().any(|define| define.path == *path));
+    let message = |path: &str| format!("`{path}` is gone through here, which writes over `-D {path}=..`");
+    over.map(|(path, place)| Diagnostic { severity: Severity::Warning, message: message(path), ..(*place).clone() })
+        .collect()
 }

@@ -1,7 +1,8 @@
-//! Families of scenes: a file says what of a scene is exchanged, and each choice is a member.
+//! Families of scenes: a file says what of a scene is exchanged, and each choice is a member; as is each frame of an animation.
 
 mod family;
 mod file;
+mod frames;
 mod label;
 mod member;
 mod sweep;
@@ -18,6 +19,7 @@ use super::textures::Loading;
 
 pub use family::{Axis, Chosen, Family, Goal, MOST_MEMBERS, Member};
 pub use file::is_family;
+pub use frames::frames;
 
 /// Reads a variant file into its members. `defines` change what its scene is before members do. No scene is read, and no value but those of
 /// the file itself looked at: a path that leads nowhere is told when a member is loaded.

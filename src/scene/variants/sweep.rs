@@ -1,6 +1,6 @@
 //! The sweep of a variant file: axes, and what each changes.
 
-use super::values::{SweptValue, inner, refuse_equal, values_of};
+use super::values::{SweptValue, refuse_equal, values_of};
 use crate::scene::diagnostic::{Diagnostic, Severity};
 use crate::scene::ron::{Kind, Node, Reader};
 
@@ -49,7 +49,7 @@ fn read_axis(sweep: &Node, (name, place, node): &(String, &str, Node)) -> Result
         return Ok(Swept { name: name.clone(), labels, columns: vec![column], place });
     };
     let error = |node: &Node, message: String| about(node.text.error(node.source, message));
-    let content = inner(content);
+    let content = content.inner();
     let fields = content.fields().map_err(|message| {
         error(content, format!("zip: {message}")).help("write zip({ \"path\": [a, b], \"path\": [c, d] })")
     })?;

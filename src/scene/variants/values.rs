@@ -35,7 +35,7 @@ pub fn values_of(node: &Node) -> Result<Vec<SweptValue>, Diagnostic> {
         Kind::Variant("range", Some(content)) => steps(node, content, false)?,
         Kind::Variant("log", Some(content)) => steps(node, content, true)?,
         Kind::Variant("named", Some(content)) => {
-            let fields = inner(content).fields().map_err(|message| {
+            let fields = content.inner().fields().map_err(|message| {
                 error(content, format!("named: {message}")).help("write named({\"name\": value, ..})")
             })?;
             let named =
@@ -107,14 +107,6 @@ pub fn refuse_equal(values: &[SweptValue]) -> Result<(), Diagnostic> {
         }
     }
     Ok(())
-}
-
-/// What stands in the parentheses of `name(..)`, where that is one value.
-pub fn inner<'n, 'a>(content: &'n Node<'a>) -> &'n Node<'a> {
-    match &content.kind {
-        Kind::Items(items) if items.len() == 1 => &items[0],
-        _ => content,
-    }
 }
 
 /// Where a value is written: a warning without its message.

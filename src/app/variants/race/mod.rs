@@ -71,7 +71,7 @@ pub fn run<'s>(
     stage.engine.on_compiling(watcher.compiling());
     let adapter = stage.adapter.clone();
     let mut shooter = Shooter::new(stage, &survey.codes, watcher);
-    let spp = match arguments.spp.first() {
+    let spp = match arguments.flags.spp.first() {
         Some(spp) => *spp,
         None => spp(&mut shooter, &racers[0]).map_err(Failure::engine)?,
     };
@@ -150,7 +150,7 @@ fn pilot(
 /// Rounds until one member is left, or there are as many as were wanted, or the time is over.
 fn rounds(shooter: &mut Shooter, result: &mut Raced, arguments: &VariantsArguments) -> Result<(), EngineError> {
     let begin = Instant::now();
-    let is_over = || arguments.time.last().is_some_and(|seconds| begin.elapsed().as_secs_f64() >= *seconds);
+    let is_over = || arguments.flags.time.last().is_some_and(|seconds| begin.elapsed().as_secs_f64() >= *seconds);
     while result.rounds < arguments.rounds && result.race.alive().count() > 1 && !is_over() {
         let mut alive: Vec<usize> = result.race.alive().collect();
         // Whoever is first in one round is last in another.
