@@ -14,12 +14,17 @@ def number(value, form):
     return "0" if text in ("-0", "") else text
 
 
+def printed(vector, form):
+    return " ".join(number(c, form) for c in vector)
+
+
 class Obj:
     """Collects objects; what prints alike is written once. `position`, `uv` and `normal` are formats of numbers: six significant
-    digits, where nothing else is said."""
+    digits, where nothing else is said. With `flat`, normals that are a polygon's own are left out."""
 
-    def __init__(self, comment, library, position="%.6g", uv="%.6g", normal="%.6g"):
+    def __init__(self, comment, library, position="%.6g", uv="%.6g", normal="%.6g", flat=False):
         self.lines = ["# " + line for line in comment] + ["mtllib " + library]
+        self.flat = flat
         self.forms = {"v": position, "vt": uv, "vn": normal}
         self.known = {kind: {} for kind in self.forms}
         self.triangles = 0
@@ -38,11 +43,13 @@ class Obj:
         """One polygon, counter-clockwise seen from its front. Corners that print alike are merged, and what is then no
         polygon, or is there already, is left out. One of more than four corners is cut where a fan would not cover it.
         `normal` is the format of these normals."""
-        corners = {}
+        form, corners = normal or self.forms["vn"], {}
+        if self.flat and normals is not None and is_flat(positions, normals, form):
+            normals = None
         for k, position in enumerate(positions):
-            v = self._index("v", position)
-            vt = self._index("vt", uvs[k]) if uvs is not None else ""
-            vn = self._index("vn", normals[k], normal) if normals is not None else ""
+            v = self._index("v", position, self.forms["v"])
+            vt = self._index("vt", uvs[k], self.forms["vt"]) if uvs is not None else ""
+            vn = self._index("vn", normals[k], form) if normals is not None else ""
             corners.setdefault(v, (k, "/".join(str(i) for i in (v, vt, vn)).rstrip("/")))
         points = [positions[k] for k, _ in corners.values()]
         if len(points) < 3 or area(points) < NOTHING:
@@ -66,8 +73,8 @@ class Obj:
         path.write_text("\n".join(self.lines) + "\n", encoding="ascii", newline="\n")
         print("%s: %d triangles, %.2f MB" % (path.name, self.triangles, path.stat().st_size / 1e6))
 
-    def _index(self, kind, vector, form=None):
-        text = " ".join(number(c, form or self.forms[kind]) for c in vector)
+    def _index(self, kind, vector, form):
+        text = printed(vector, form)
         table = self.known[kind]
         if text not in table:
             table[text] = len(table) + 1
@@ -81,6 +88,12 @@ def normal_of(points):
     for a, b in zip(points[1:-1], points[2:]):
         out = add(out, cross(sub(a, points[0]), sub(b, points[0])))
     return out
+
+
+def is_flat(points, normals, form):
+    """Whether all normals print alike, and are the polygon's own by half a degree."""
+    own = normal_of(points)
+    return len({printed(n, form) for n in normals}) == 1 and dot(own, normals[0]) > 0.99996 * dot(own, own) ** 0.5
 
 
 def area(points):

@@ -40,7 +40,7 @@ def main():
     mesh.write(MODELS / "sports-car.obj", ["A sports car. Metres, y up, nose towards +z. Made by make/sports_car/main.py."], "sports-car.mtl", parts)
     mtl.write(MODELS / "sports-car.mtl", ["A sports car."], "sports-car", materials.CAR)
     mesh.write(MODELS / "sports-car-road.obj", ["A road with kerb, wall and trees, for the sports car. Metres, y up. Made by make/sports_car/main.py."],
-               "sports-car-road.mtl", road.all_parts())
+               "sports-car-road.mtl", road.all_parts(), "%.3f")
     mtl.write(MODELS / "sports-car-road.mtl", ["The sports car's road."], "sports-car", materials.ROAD)
     textures.write(MODELS / "sports-car")
 

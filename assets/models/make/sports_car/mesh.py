@@ -108,8 +108,8 @@ def smooth(name, material, points, faces, angle=35.0, uvs=None, uv_corners=None)
 ROUGH = {"tyre", "leather_dark", "alcantara", "lining", "gap_black", "carpet", "mortar", "wall", "kerb", "wall_cap", "bark", "leaves"}
 
 
-def write(path, comment, library, parts):
-    obj = Obj(comment, library, "%.4f", "%.4f", "%.3f")
+def write(path, comment, library, parts, position="%.4f"):
+    obj = Obj(comment, library, position, "%.3f", "%.3f", flat=True)
     for part in parts:
         obj.object(part.name, part.material)
         points, normals = part.points.tolist(), part.normals.tolist()
