@@ -44,6 +44,7 @@ def table_lamp(scene):
     scene.put("table_lamp", finish("brass", lathe([(0, 0.23), (0.014, 0.23), (0.012, 0.25), (0.006, 0.255), (0.006, 0.36), (0, 0.36)]), smooth=50), at)
     shade = lathe([(0.165, 0.275), (0.115, 0.505)])
     scene.put("table_lamp_shade", finish("shade_light", shade, smooth=60), at)
+    scene.put("table_lamp_bulb", finish("shade_bulb", ball(0.03, 8).moved(0, 0.39, 0), smooth=80), at)
     for radius, y in ((0.165, 0.275), (0.115, 0.505)):
         loop = [(radius * np.cos(t), y, radius * np.sin(t)) for t in np.linspace(0, 2 * np.pi, 37)]
         scene.put("table_lamp", finish("linen", tube(loop, 0.0035, 6), smooth=80), at)

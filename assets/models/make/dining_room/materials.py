@@ -43,7 +43,7 @@ TEXTURED = [
     ("walnut", "walnut.jpg", 0.55, "Ns 120"),
     ("oak", "beech.jpg", 0.08, "Ns 30"),
     ("beech", "beech.jpg", 0.3, "Ns 80"),
-    ("rug", "rug.jpg", 0, "Ns 1"),
+    ("rug", "rug.jpg", 0, "Ns 1", "map_Bump -s 62 42 -bm 3 rug_bump.jpg"),
     ("cushion", "cushion.jpg", 0, "Ns 1"),
     ("curtain", "curtain.jpg", 0, "Ns 1"),
     ("runner", "runner.jpg", 0, "Ns 1"),
@@ -64,7 +64,9 @@ TEXTURED = [
 # Name, Ke, and further statements.
 LIGHTS = [
     ("pendant_light", (30, 21, 12)),
-    ("shade_light", (2.6, 1.75, 0.95), "map_Ke shade.jpg"),
+    ("shade_light", (0.34, 0.21, 0.1), "map_Ke shade.jpg"),
+    ("shade_bulb", (34, 23, 12.5)),
+    ("flame", (1.6, 0.75, 0.2)),
     ("globe_light", (4, 2.9, 1.75)),
     ("window_light", (2.9, 3.4, 4.0)),
 ]

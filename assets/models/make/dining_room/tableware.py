@@ -44,7 +44,7 @@ def carafe():
 
 
 def candle(height, stick):
-    """A taper in a turned stick of brass, burnt down a little."""
+    """A burning taper in a turned stick of brass."""
     foot = [
         (0, 0), (0.046, 0), (0.048, 0.003), (0.045, 0.007), (0.026, 0.012), (0.012, 0.02), (0.009, 0.032), (0.016, 0.04), (0.016, 0.046),
         (0.0085, 0.054), (0.0075, stick * 0.6), (0.0085, stick - 0.045), (0.015, stick - 0.036), (0.015, stick - 0.03), (0.009, stick - 0.022),
@@ -52,7 +52,9 @@ def candle(height, stick):
     ]
     wax = [(0, stick - 0.006), (0.0105, stick - 0.006), (0.0095, stick + height - 0.006), (0.0085, stick + height), (0.006, stick + height - 0.001), (0, stick + height - 0.003)]
     wick = tube(curve([(0, stick + height - 0.005, 0), (0.0005, stick + height + 0.005, 0), (0.003, stick + height + 0.011, 0.001)], 3), 0.0011, 6)
-    return [finish("brass", lathe(foot), smooth=50), finish("wax", lathe(wax), smooth=60), finish("iron", wick)]
+    tip = stick + height
+    flame = [(0, tip + 0.004), (0.0032, tip + 0.007), (0.0048, tip + 0.012), (0.0046, tip + 0.017), (0.0024, tip + 0.026), (0, tip + 0.036)]
+    return [finish("brass", lathe(foot), smooth=50), finish("wax", lathe(wax), smooth=60), finish("iron", wick), finish("flame", lathe(flame), smooth=80)]
 
 
 def blade(widths, thickness, rise=None):
