@@ -66,7 +66,7 @@ LIGHTS = [
     ("pendant_light", (30, 21, 12)),
     ("shade_light", (0.34, 0.21, 0.1), "map_Ke shade.jpg"),
     ("shade_bulb", (34, 23, 12.5)),
-    ("flame", (1.6, 0.75, 0.2)),
+    ("flame", (0.4, 0.2, 0.05)),
     ("globe_light", (4, 2.9, 1.75)),
     ("window_light", (2.9, 3.4, 4.0)),
 ]
