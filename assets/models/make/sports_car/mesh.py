@@ -105,7 +105,8 @@ def smooth(name, material, points, faces, angle=35.0, uvs=None, uv_corners=None)
 
 
 # Where two digits of a normal do.
-ROUGH = {"tyre", "leather_dark", "alcantara", "lining", "gap_black", "carpet", "mortar", "wall", "kerb", "wall_cap", "bark", "leaves"}
+ROUGH = {"tyre", "leather_dark", "alcantara", "lining", "gap_black", "carpet", "mortar", "wall", "kerb", "wall_cap", "bark", "leaves",
+         "rubber", "trim_black", "leather", "grille", "grille_fine", "underbody", "liner", "belt"}
 
 
 def write(path, comment, library, parts, position="%.4f"):

@@ -11,7 +11,7 @@ REAR_WHEEL = (.1525, .3455, .260)
 
 
 def tyre(half, radius, rim):
-    """Outer sidewall to inner sidewall over the tread. Four grooves round it, and slots across the shoulders."""
+    """Outer sidewall to inner sidewall over the tread. Two grooves round its outer half, and slots across the shoulders."""
     h, r = half, radius
     side = [(h - .018, rim - .008), (h - .006, rim - .002), (h - .004, rim + .006), (h + .002, rim + .014), (h + .006, rim + .030),
             (h + .007, rim + .045), (h + .004, r - .026), (h - .003, r - .014), (h - .012, r - .0065), (h - .024, r - .0025)]
@@ -21,7 +21,7 @@ def tyre(half, radius, rim):
         w, deep = .0048, .0075
         tread += [(x + w, r - .0008 * (1 - k)), (x + w - .001, r - deep), (x - w + .001, r - deep), (x - w, r)]
     outer = side + tread
-    profile = outer + [(-x, y) for x, y in tread[::-1] + side[9:5:-1] + side[4::-2]]
+    profile = outer + [(-x, y) for x, y in [(h * .5, r - .0015)] + side[9:5:-1] + side[4::-2]]
     pitch = 21
 
     def slots(x, rr, turn):
