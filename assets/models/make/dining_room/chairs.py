@@ -13,10 +13,10 @@ def wood(name, shape, **how):
     """Bars have their grain along u already; it is put to scale here."""
     if shape.uvs:
         shape.uvs = [[(u * 0.9 + len(name) * 0.17, v * 0.12 + len(name) * 0.31) for u, v in face] for face in shape.uvs]
-    return finish("beech", shape, smooth=50, **how)
+    return finish("beech", shape, smooth=65, **how)
 
 
-def turned(name, foot, head, profile, around=12):
+def turned(name, foot, head, profile, around=8):
     """A bar between two points, its radius by (where from 0 to 1, radius)."""
     foot, head = np.array(foot, float), np.array(head, float)
     path = [foot + (head - foot) * t for t, _ in profile]
@@ -29,9 +29,9 @@ STRETCHER = [(0, 0.0075), (0.2, 0.009), (0.42, 0.0125), (0.47, 0.0105), (0.5, 0.
 
 def chair():
     """Its sitter looks towards +z; the seat's middle is above (0, 0)."""
-    seat = slab(outline(0.45, 0.43, 0.1, 7), SEAT - 0.034, SEAT)
+    seat = slab(outline(0.45, 0.43, 0.1, 5), SEAT - 0.034, SEAT)
     seat = seat.mapped(lambda p: p * np.stack([1 + 0.28 * p[:, 2], np.ones(len(p)), np.ones(len(p))], axis=1))
-    parts = [finish("beech", seat, bevel=0.011, segments=3, uv=grain("seat", 2, 0.9))]
+    parts = [finish("beech", seat, bevel=0.011, uv=grain("seat", 2, 0.9))]
     feet = {"fl": (-0.205, 0, 0.195), "fr": (0.205, 0, 0.195), "bl": (-0.185, 0, -0.23), "br": (0.185, 0, -0.23)}
     heads = {"fl": (-0.165, SEAT - 0.02, 0.15), "fr": (0.165, SEAT - 0.02, 0.15), "bl": (-0.14, SEAT - 0.02, -0.15), "br": (0.14, SEAT - 0.02, -0.15)}
     for key in feet:
@@ -39,9 +39,9 @@ def chair():
     at = lambda key, t: tuple(np.array(feet[key]) * (1 - t) + np.array(heads[key]) * t)
     middle = lambda a, b: tuple((np.array(a) + np.array(b)) / 2)
     left, right = (at("fl", 0.45), at("bl", 0.45)), (at("fr", 0.45), at("br", 0.45))
-    parts.append(turned("sl", *left, STRETCHER, 8))
-    parts.append(turned("sr", *right, STRETCHER, 8))
-    parts.append(turned("sm", middle(*left), middle(*right), STRETCHER, 8))
+    parts.append(turned("sl", *left, STRETCHER, 6))
+    parts.append(turned("sr", *right, STRETCHER, 6))
+    parts.append(turned("sm", middle(*left), middle(*right), STRETCHER, 6))
     parts += back()
     return parts + [cushion()]
 
@@ -53,13 +53,13 @@ def bow(t):
 
 def back():
     parts = []
-    spread = np.linspace(-1, 1, 19)
+    spread = np.linspace(-1, 1, 13)
     path = [bow(t) for t in spread]
     sections = []
     for t in spread:
         slim = np.sqrt(max(1 - abs(t) ** 7, 0)) * 0.86 + 0.14
         h, d = 0.042 * slim, 0.0105 * slim
-        angles = np.arange(12) * 2 * np.pi / 12
+        angles = np.arange(8) * 2 * np.pi / 8
         p = lambda a: np.sign(a) * np.abs(a) ** 0.55
         sections.append([(d * p(np.cos(a)), h * p(np.sin(a))) for a in angles])
     parts.append(wood("rail", sweep(path, sections)))
@@ -68,10 +68,10 @@ def back():
         foot = np.array([0.19 * t * (1.0 if post else 0.9), SEAT - 0.01, -0.165 + 0.05 * t * t])
         head = bow(t)
         knee = foot * 0.45 + head * 0.55 + np.array([0.012 * t, 0, -0.012])
-        line = curve([foot, knee, head], 5)
+        line = curve([foot, knee, head], 3)
         s = np.linspace(0, 1, len(line))
         radius = (0.0125 if post else 0.0062) + (0.003 if post else 0.003) * np.exp(-(((s - 0.35) / 0.22) ** 2))
-        parts.append(wood("spindle%d" % k, tube(line, radius, 10 if post else 8, (0, 0, 1))))
+        parts.append(wood("spindle%d" % k, tube(line, radius, 8 if post else 6, (0, 0, 1))))
     return parts
 
 

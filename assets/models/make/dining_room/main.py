@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 
 import chairs
 import curtains
@@ -42,10 +43,8 @@ def main():
     scene = Scene()
     for part in (room, window, curtains, table, chairs, tableware, fruit, shelf, sideboard, pictures, lamps, plants):
         part.build(scene)
-    triangles = writer.write(scene, MODELS / (NAME + ".obj"), NAME + ".mtl", materials.textured())
+    writer.write(scene, MODELS / (NAME + ".obj"), NAME + ".mtl", materials.textured())
     materials.write(MODELS / (NAME + ".mtl"), NAME)
-    size = (MODELS / (NAME + ".obj")).stat().st_size / 1e6
-    print("%d groups, %d triangles, %.2f MB" % (len(scene.groups), triangles, size))
 
 
 if __name__ == "__main__":

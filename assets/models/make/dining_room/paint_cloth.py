@@ -58,6 +58,8 @@ def rug(folder, width=1152, height=800):
     rows_of_knots = 0.9 + 0.2 * cloud(height, width, height // 3, width // 3, 5, 2)
     faded = 0.82 + 0.4 * cloud(height, width, 5, 7, 6, 3)
     bands = 0.95 + 0.1 * cloud(height, width, 60, 1, 8, 2)
+    # A few knots of the pile, which repeat.
+    save(folder, "rug_bump.jpg", 255 * (0.25 + 0.75 * (weave(96, 6, 9, 0.7) - 0.2)) * (0.7 + 0.5 * cloud(96, 96, 12, 12, 10, 2)), 80)
     save(folder, "rug.jpg", colour * (rows_of_knots * faded * bands)[..., None], 80)
 
 

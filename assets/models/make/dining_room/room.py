@@ -103,7 +103,7 @@ def door(scene):
             parts.append(finish("door_paint", raised, bevel=0.005, segments=1, smooth=20))
     case = moulding(width, height + 0.4, CASING).moved(0, height / 2 - 0.2, 0)
     parts.append(finish("woodwork", case, smooth=35))
-    knob = lathe([(0.026, 0), (0.026, 0.004), (0.009, 0.008), (0.008, 0.028), (0.018, 0.034), (0.026, 0.046), (0.024, 0.058), (0.012, 0.066), (0, 0.067)], 20)
+    knob = lathe([(0.026, 0), (0.026, 0.004), (0.009, 0.008), (0.008, 0.028), (0.018, 0.034), (0.026, 0.046), (0.024, 0.058), (0.012, 0.066), (0, 0.067)])
     knob = knob.mapped(lambda p: np.stack([p[:, 0], -p[:, 2], p[:, 1]], axis=1)).moved(0.34, 1.0, 0.01)
     parts.append(finish("brass", knob, smooth=50))
     scene.put("door", parts, at)

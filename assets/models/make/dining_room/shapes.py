@@ -1,6 +1,6 @@
 """Shapes as plain arrays: positions in metres (y up), faces counter-clockwise from outside, and a uv a corner or none."""
 
-from math import cos, pi, sin
+from math import acos, ceil, cos, pi, sin
 
 import numpy as np
 
@@ -41,8 +41,14 @@ def block(centre, size):
     return box(tuple(c - s), tuple(c + s))
 
 
-def lathe(profile, around=32, from_u=0.0, to_u=1.0):
+def sides(radius):
+    """How many sides a circle needs to be nowhere 0.8 mm away from its round."""
+    return max(8, ceil(pi / acos(max(1 - 0.0008 / radius, 0.0))))
+
+
+def lathe(profile, around=None, from_u=0.0, to_u=1.0):
     """(radius, height) from below to above on the outside, about the y axis. An end of radius 0 is closed by a point."""
+    around = around or sides(max(radius for radius, _ in profile))
     points, rings = [], []
     for radius, height in profile:
         if radius < 1e-6:

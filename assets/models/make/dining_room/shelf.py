@@ -23,11 +23,11 @@ def case(scene):
     wood("back", (middle, HEIGHT / 2, BACK + 0.014), (width - 0.02, HEIGHT - 0.02, 0.012), 1)
 
 
-def vase(profile, material, around=36):
+def vase(profile, material):
     """Thin walls: the inside follows the outside at 3 mm."""
     inside = [(max(r - 0.004, 0), y + (0.004 if y < 0.01 else 0)) for r, y in profile[::-1] if y > 0.008]
     rim = profile[-1]
-    return finish(material, lathe(profile + [(rim[0] - 0.002, rim[1] + 0.0015)] + inside + [(0, 0.012)], around), smooth=60)
+    return finish(material, lathe(profile + [(rim[0] - 0.002, rim[1] + 0.0015)] + inside + [(0, 0.012)]), smooth=60)
 
 
 URN = [(0, 0), (0.04, 0), (0.042, 0.006), (0.036, 0.012), (0.05, 0.04), (0.075, 0.09), (0.08, 0.13), (0.066, 0.175), (0.04, 0.2), (0.034, 0.215), (0.045, 0.235)]

@@ -23,12 +23,12 @@ def build(scene):
     put(finish("walnut", block((middle, 0.48, z), (width, 0.67, DEPTH)), bevel=0.004, uv=grain("body", 0, 0.8)))
     for x in (LEFT + 0.06, RIGHT - 0.06):
         for dz in (-0.15, 0.15):
-            leg = lathe([(0, 0), (0.014, 0), (0.022, 0.14), (0.022, 0.16), (0, 0.16)], 16).moved(x, 0, z + dz)
+            leg = lathe([(0, 0), (0.014, 0), (0.022, 0.14), (0.022, 0.16), (0, 0.16)]).moved(x, 0, z + dz)
             leg.uvs = [[(v * 0.2, u * 0.2) for u, v in face] for face in leg.uvs]
             put(finish("walnut", leg, smooth=40))
     doors = 4
     step = (width - 0.04) / doors
-    knob = lathe([(0.005, 0), (0.005, 0.012), (0.013, 0.018), (0.014, 0.024), (0.009, 0.03), (0, 0.031)], 16)
+    knob = lathe([(0.005, 0), (0.005, 0.012), (0.013, 0.018), (0.014, 0.024), (0.009, 0.03), (0, 0.031)])
     knob = knob.mapped(lambda p: np.stack([p[:, 0], -p[:, 2], p[:, 1]], axis=1))
     for k in range(doors):
         x = LEFT + 0.02 + step * (k + 0.5)

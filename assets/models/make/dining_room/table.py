@@ -16,9 +16,9 @@ LEG = [
 
 
 def table():
-    top = slab(outline(WIDTH, DEPTH, 0.075, 10), TOP - 0.032, TOP)
-    parts = [finish("walnut", top, bevel=0.009, segments=4, uv=grain("top", 0, 0.8), smooth=40)]
-    under = slab(outline(WIDTH - 0.05, DEPTH - 0.05, 0.06, 8), TOP - 0.046, TOP - 0.03)
+    top = slab(outline(WIDTH, DEPTH, 0.075, 7), TOP - 0.032, TOP)
+    parts = [finish("walnut", top, bevel=0.009, segments=3, uv=grain("top", 0, 0.8), smooth=40)]
+    under = slab(outline(WIDTH - 0.05, DEPTH - 0.05, 0.06, 4), TOP - 0.046, TOP - 0.03)
     parts.append(finish("walnut", under, bevel=0.006, uv=grain("under", 0, 0.8)))
     x, z = WIDTH / 2 - 0.13, DEPTH / 2 - 0.11
     for name, centre, size, axis in (
@@ -29,7 +29,7 @@ def table():
     for k, (sx, sz) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
         cube = block((sx * x, 0.66, sz * z), (0.078, 0.135, 0.078))
         parts.append(finish("walnut", cube, bevel=0.005, uv=grain("block%d" % k, 1, 0.8)))
-        leg = lathe([(r * 1.02, RUG + y) for r, y in LEG], 28).moved(sx * x, 0, sz * z)
+        leg = lathe([(r * 1.02, RUG + y) for r, y in LEG]).moved(sx * x, 0, sz * z)
         leg.uvs = [[(v * 0.55 + 0.2 * k, u * 0.2 + 0.3 * k) for u, v in face] for face in leg.uvs]
         parts.append(finish("walnut", leg, smooth=45))
     return parts
@@ -51,7 +51,7 @@ def runner():
         ripple = 0.0006 * (1 + np.sin(23 * s + 9 * v)) * (out < 0)
         return np.sign(s) * x, TOP + 0.0034 + ripple + y, (0.5 - v) * breadth
 
-    shape = sheet(64, 8, place)
+    shape = sheet(48, 4, place)
     shape.uvs = [[(2 * u, v) for u, v in face] for face in shape.uvs]
     return finish("runner", shape, thickness=0.002, smooth=50)
 

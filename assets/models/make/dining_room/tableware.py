@@ -15,7 +15,7 @@ def plate(radius=0.132):
         (0.995 * r, 0.0205), (0.96 * r, 0.0205), (0.72 * r, 0.0135), (0.64 * r, 0.008), (0.55 * r, 0.0062), (0, 0.0058),
     ]
     uv = lambda p, n: np.stack([0.5 + p[:, 0] / r / 2.06, 0.5 - p[:, 2] / r / 2.06], axis=1)
-    return finish("plate", lathe(profile, 40), smooth=50, uv=uv)
+    return finish("plate", lathe(profile), smooth=50, uv=uv)
 
 
 def bowl(radius=0.072):
@@ -24,7 +24,7 @@ def bowl(radius=0.072):
         (0, 0.004), (0.4 * r, 0.004), (0.42 * r, 0), (0.5 * r, 0), (0.52 * r, 0.006), (0.8 * r, 0.025), (0.96 * r, 0.048), (r, 0.06),
         (0.985 * r, 0.0615), (0.965 * r, 0.06), (0.92 * r, 0.048), (0.76 * r, 0.027), (0.5 * r, 0.012), (0, 0.0095),
     ]
-    return finish("glaze_blue", lathe(profile, 36), smooth=60)
+    return finish("glaze_blue", lathe(profile), smooth=60)
 
 
 def wineglass():
@@ -34,17 +34,17 @@ def wineglass():
         (0.009, 0.087), (0.02, 0.095), (0.031, 0.11), (0.0365, 0.13), (0.0375, 0.15), (0.0355, 0.175), (0.032, 0.2),
     ]
     inside = [(0.0312, 0.2008), (0.0305, 0.2), (0.034, 0.175), (0.036, 0.15), (0.035, 0.13), (0.0295, 0.1115), (0.019, 0.097), (0.009, 0.0905), (0, 0.089)]
-    return finish("glass", lathe(outside + inside, 28), smooth=70)
+    return finish("glass", lathe(outside + inside), smooth=70)
 
 
 def carafe():
     outside = [(0, 0.0), (0.048, 0.0), (0.054, 0.004), (0.062, 0.03), (0.063, 0.06), (0.054, 0.1), (0.036, 0.14), (0.025, 0.17), (0.024, 0.19), (0.031, 0.22), (0.037, 0.238)]
     inside = [(0.0362, 0.239), (0.035, 0.2375), (0.029, 0.22), (0.022, 0.19), (0.023, 0.17), (0.0335, 0.14), (0.0515, 0.1), (0.0605, 0.06), (0.0595, 0.03), (0.052, 0.0085), (0, 0.0075)]
-    return finish("glass", lathe(outside + inside, 36), smooth=70)
+    return finish("glass", lathe(outside + inside), smooth=70)
 
 
 def candle(height, stick):
-    """A taper in a turned stick of brass, burnt down a little."""
+    """A burning taper in a turned stick of brass."""
     foot = [
         (0, 0), (0.046, 0), (0.048, 0.003), (0.045, 0.007), (0.026, 0.012), (0.012, 0.02), (0.009, 0.032), (0.016, 0.04), (0.016, 0.046),
         (0.0085, 0.054), (0.0075, stick * 0.6), (0.0085, stick - 0.045), (0.015, stick - 0.036), (0.015, stick - 0.03), (0.009, stick - 0.022),
@@ -52,7 +52,9 @@ def candle(height, stick):
     ]
     wax = [(0, stick - 0.006), (0.0105, stick - 0.006), (0.0095, stick + height - 0.006), (0.0085, stick + height), (0.006, stick + height - 0.001), (0, stick + height - 0.003)]
     wick = tube(curve([(0, stick + height - 0.005, 0), (0.0005, stick + height + 0.005, 0), (0.003, stick + height + 0.011, 0.001)], 3), 0.0011, 6)
-    return [finish("brass", lathe(foot, 32), smooth=50), finish("wax", lathe(wax, 20), smooth=60), finish("iron", wick)]
+    tip = stick + height
+    flame = [(0, tip + 0.004), (0.0032, tip + 0.007), (0.0048, tip + 0.012), (0.0046, tip + 0.017), (0.0024, tip + 0.026), (0, tip + 0.036)]
+    return [finish("brass", lathe(foot), smooth=50), finish("wax", lathe(wax), smooth=60), finish("iron", wick), finish("flame", lathe(flame), smooth=80)]
 
 
 def blade(widths, thickness, rise=None):
@@ -80,7 +82,7 @@ def napkin():
     parts = []
     for k, (w, d) in enumerate(((0.09, 0.17), (0.088, 0.167))):
         place = lambda u, v, w=w, d=d, k=k: ((u - 0.5) * w + 0.002 * k, 0.003 + 0.0042 * k + 0.0012 * np.sin(9 * v + k) * u, (0.5 - v) * d)
-        parts.append(finish("linen", sheet(10, 16, place), thickness=0.003, smooth=50))
+        parts.append(finish("linen", sheet(4, 8, place), thickness=0.003, smooth=50))
     return parts
 
 

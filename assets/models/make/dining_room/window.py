@@ -23,7 +23,7 @@ def window(scene, span):
     reveal = Shape(points, [(k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k) for k in range(4)])
     parts = [finish("woodwork", reveal, smooth=None)]
     parts.append(finish("woodwork", moulding(w, h, CASING), smooth=35))
-    parts.append(finish("woodwork", block((0, -y - 0.012, -0.05), (w + 0.26, 0.03, 0.26)), bevel=0.006, segments=3))
+    parts.append(finish("woodwork", block((0, -y - 0.012, -0.05), (w + 0.26, 0.03, 0.26)), bevel=0.006))
     parts.append(finish("woodwork", moulding(w + 0.002, h + 0.002, FRAME).moved(0, 0, -0.13), smooth=30))
     sash = (w - 0.1) / 2
     for side in (-1, 1):
@@ -33,7 +33,7 @@ def window(scene, span):
         parts.append(finish("woodwork", block((cx, 0, -0.121), (0.02, inner_h, 0.022)), bevel=0.004))
         for k in (1, 2):
             parts.append(finish("woodwork", block((cx, inner_h * (k / 3 - 0.5), -0.121), (inner_w, 0.02, 0.02)), bevel=0.004))
-        knob = lathe([(0.006, 0), (0.006, 0.02), (0.011, 0.024), (0.011, 0.03), (0, 0.033)], 12)
+        knob = lathe([(0.006, 0), (0.006, 0.02), (0.011, 0.024), (0.011, 0.03), (0, 0.033)])
         knob = knob.mapped(lambda p: np.stack([p[:, 0], -p[:, 2], p[:, 1]], axis=1))
         parts.append(finish("brass", knob.moved(side * 0.022, -0.05, -0.103), smooth=50))
     scene.put("windows", parts, at)
@@ -49,8 +49,8 @@ def panes(scene, span):
 
 def bush(centre, size, seed):
     """A ball, made uneven."""
-    profile = [(np.sin(t), -np.cos(t)) for t in np.linspace(0.0, np.pi, 18)]
-    ball = lathe(profile, 30)
+    profile = [(np.sin(t), -np.cos(t)) for t in np.linspace(0.0, np.pi, 13)]
+    ball = lathe(profile, 20)
 
     def rough(p):
         bump = 1 + 0.16 * at_height(seed, p, 0.45) + 0.09 * at_height(seed + 1, p, 0.16) + 0.06 * at_height(seed + 2, p, 0.07)

@@ -125,11 +125,14 @@ def sculpt(p):
         out += side * flare * bump((r - radius) / .13) * step((y - .12) / .15)
     scallop = step((.42 - z) / 1.0) * step((z + .93) / .06) * bump((y - .50 - .07 * (-z)) / .20)
     out -= side * .055 * scallop
+    # A line along the flank, from the front wheel to the intake, that rises towards the tail.
+    line = np.clip(1 - np.abs(y - .605 + .05 * z) / .075, 0, 1) * step((.93 - z) / .25) * step((z + .66) / .35)
+    out += side * .013 * line
     p = p.copy()
     p[:, 0] += out
     on_top = (z > .98) & (y > .4)
     ridge = bump((x - (.29 + .07 * (z - 1))) / .14) * step((2.26 - z) / .45) * step((z - .95) / .1)
-    p[:, 1] += np.where(on_top, .012 * ridge * (x < .56), 0)
+    p[:, 1] += np.where(on_top, .016 * ridge * (x < .56), 0)
     return p
 
 

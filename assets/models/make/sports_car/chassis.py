@@ -101,16 +101,16 @@ def exhausts():
 def mirrors():
     """A shell on two thin legs, with a pane."""
     rings = []
-    for t, (w, h) in zip((0, .25, .6, .85, 1), ((.108, .050), (.116, .058), (.100, .048), (.066, .030), (.02, .010))):
-        turn = np.arange(12) * 2 * np.pi / 12
+    for t, (w, h) in zip((0, .25, .6, .85, 1), ((.110, .056), (.116, .062), (.108, .056), (.084, .041), (.045, .020))):
+        turn = np.arange(16) * 2 * np.pi / 16
         c, s = np.cos(turn), np.sin(turn)
-        u = np.sign(c) * np.abs(c) ** .6 * w
-        v = np.sign(s) * np.abs(s) ** .6 * h * (1 + .16 * c)
-        rings.append(np.stack([.985 + u - .035 * t, .912 + v - .012 * t, .485 + .125 * t + 0 * u], 1))
-    shell = soft_loft("mirror", "paint", rings, 2)
+        u = np.sign(c) * np.abs(c) ** .42 * w
+        v = np.sign(s) * np.abs(s) ** .42 * h * (1 + .18 * c)
+        rings.append(np.stack([.985 + u - .035 * t, .912 + v - .012 * t, .485 + .105 * t + 0 * u], 1))
+    shell = soft_loft("mirror", "paint", rings, 1)
     turn = np.arange(24) * 2 * np.pi / 24
     c, s = np.cos(turn), np.sin(turn)
-    glass = np.stack([.985 + np.sign(c) * np.abs(c) ** .6 * .090, .912 + np.sign(s) * np.abs(s) ** .6 * .041 * (1 + .16 * c), np.full(24, .4795)], 1)
+    glass = np.stack([.985 + np.sign(c) * np.abs(c) ** .42 * .094, .912 + np.sign(s) * np.abs(s) ** .42 * .046 * (1 + .18 * c), np.full(24, .4795)], 1)
     pane = smooth("mirror_pane", "mirror", glass, [list(range(24))[::-1]], 30)
     edge = sweep("mirror_edge", "gloss_black", np.stack([glass[:, 0], glass[:, 1], glass[:, 2] + .004], 1), disk(.0055, 8), 60, closed=True)
     legs = [tube("leg", "gloss_black", [(.84, .79, .60), (.88, .815, .585), (.93, .872, .555), (.955, .90, .54)], .009, 10),

@@ -25,9 +25,9 @@ def along(path, section, scale_depth=True):
 
 
 def seat(x, word):
-    shell = soft_loft("seat", "leather_dark", along(SEAT, SECTION), 2)
-    insert = soft_loft("seat_insert", "leather", along(SEAT[2:9], INSERT, False), 2)
-    strip = soft_loft("head_insert", "leather", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 2)
+    shell = soft_loft("seat", "leather_dark", along(SEAT, SECTION), 1)
+    insert = soft_loft("seat_insert", "leather", along(SEAT[2:9], INSERT, False), 1)
+    strip = soft_loft("head_insert", "leather", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 1)
     belt_path = [(.19, .80, -.50), (.17, .775, -.432), (.15, .66, -.365), (.10, .52, -.312), (-.02, .37, -.245), (-.16, .325, -.20), (-.215, .30, -.20)]
     belt = sweep("belt", "belt", belt_path, [(-.0015, -.022), (.0015, -.022), (.0015, .022), (-.0015, .022)], 30)
     side = 1 if x > 0 else -1
@@ -45,7 +45,7 @@ def dashboard():
         profile = ((.700 - drop, back), (.712 - drop, .68), (.718 - drop + hood * 1.3, .56), (.712 - drop + hood * 1.6, .49), (.690 - drop + hood * 1.2, .462), (.640 - drop, .485),
                    (.585, .50), (.545, .545), (.40, .60), (.30, .70), (.45, back), (.60, back))
         rings.append([(x, y, z) for y, z in profile])
-    body = soft_loft("dashboard", "alcantara", rings, 2)
+    body = soft_loft("dashboard", "alcantara", rings, 1)
     band = box("dash_band", "leather", (-.22, .612, .488), (.98, .045, .02), .008)
     screen = box("screen", "gloss_black", (0, .628, .458), (.24, .135, .014), .006, turn=turned(0, -12))
     image = flat("screen_image", "screen", (0, .629, .4505), (.222, .118), -12)
@@ -62,10 +62,10 @@ def flat(name, material, centre, size, tilt):
 
 def steering():
     """About the z axis, then tilted; the driver sits on the left."""
-    a = np.arange(48) * 2 * np.pi / 48
+    a = np.arange(36) * 2 * np.pi / 36
     r = .172 - .022 * np.clip(-np.sin(a) - .55, 0, 1) / .45
     ring = np.stack([r * np.cos(a), r * np.sin(a), 0 * a], 1)
-    parts = [oriented(tube("steering_ring", "leather_dark", ring, .0145, 10, closed=True))]
+    parts = [oriented(tube("steering_ring", "leather_dark", ring, .0155, 8, closed=True))]
     for angle in (0, 180, 270):
         spoke = box("steering_spokes", "trim_black", (.10, 0, .004), (.13, .030, .010), .004)
         parts.append(spoke.moved(turned(2, angle)))
@@ -75,12 +75,12 @@ def steering():
     column = tube("steering_column", "trim_black", [(0, 0, .02), (0, 0, .22)], .035, 16)
     tilt = turned(0, 22)
     groups = [parts[0], joined("steering_spokes", parts[1:5]), mark, oriented(column)]
-    return [oriented(p).moved(tilt, (.36, .600, .285)) for p in groups]
+    return [oriented(p).moved(tilt, (.36, .655, .270)) for p in groups]
 
 
 def console():
     tunnel = soft_loft("console", "leather_dark", [[(s * w, y, z) for s, y in ((-1, .13), (-1, h - .03), (-.8, h), (.8, h), (1, h - .03), (1, .13))]
-                                                   for z, w, h in ((-.56, .11, .40), (-.53, .115, .43), (-.25, .115, .43), (.05, .11, .40), (.35, .11, .45), (.55, .12, .55), (.60, .12, .55))], 2)
+                                                   for z, w, h in ((-.56, .11, .40), (-.53, .115, .43), (-.25, .115, .43), (.05, .11, .40), (.35, .11, .45), (.55, .12, .55), (.60, .12, .55))], 1)
     top = box("console_top", "carbon", (0, .425, -.02), (.15, .012, .34), .004, turn=turned(0, 5))
     lever = lathe("gear_knob", "chrome", [(0, .012), (.05, .012), (.06, .022), (.085, .024), (.10, .016), (.104, 0)], 24, 40)
     m = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]], float)

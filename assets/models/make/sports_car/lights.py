@@ -21,9 +21,9 @@ def projectors(skin):
     for x, z, r in ((.700, 1.945, .027), (.757, 1.865, .027), (.806, 1.785, .024)):
         centre = on_surface(skin, x, z, -.034)
         profile = [(-.05, r * .9), (.008, r * 1.05), (.014, r * 1.22), (.017, r * 1.30), (.019, r * 1.26), (.017, r * 1.1), (.004, r * .98)]
-        bezels.append(oriented(lathe("bezel", "chrome", profile, 32, 40)).moved(ahead, centre))
-        dome = [(.003 + .62 * r * np.cos(a), r * .97 * np.sin(a)) for a in np.linspace(np.pi / 2, 0, 7)]
-        domes.append(oriented(lathe("dome", "lamp_glow", dome, 28, 60)).moved(ahead, centre))
+        bezels.append(oriented(lathe("bezel", "chrome", profile, 22, 40)).moved(ahead, centre))
+        dome = [(.003 + .62 * r * np.cos(a), r * .97 * np.sin(a)) for a in np.linspace(np.pi / 2, 0, 5)]
+        domes.append(oriented(lathe("dome", "lamp_glow", dome, 20, 60)).moved(ahead, centre))
     return [joined("bezels", bezels), joined("domes", domes)]
 
 

@@ -6,7 +6,8 @@ It needs numpy and Pillow. The same files come out every time.
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.dont_write_bytecode = True
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 
 import cage
 import chassis
@@ -14,6 +15,7 @@ import interior
 import lights
 import materials
 import mesh
+import mtl
 import panels
 import road
 import shell
@@ -36,10 +38,10 @@ def main():
         if part.uvs is None and part.material in BOXED:
             road.soft_uv(part, BOXED[part.material])
     mesh.write(MODELS / "sports-car.obj", ["A sports car. Metres, y up, nose towards +z. Made by make/sports_car/main.py."], "sports-car.mtl", parts)
-    materials.write(MODELS / "sports-car.mtl", "A sports car.", materials.CAR)
+    mtl.write(MODELS / "sports-car.mtl", ["A sports car."], "sports-car", materials.CAR)
     mesh.write(MODELS / "sports-car-road.obj", ["A road with kerb, wall and trees, for the sports car. Metres, y up. Made by make/sports_car/main.py."],
-               "sports-car-road.mtl", road.all_parts())
-    materials.write(MODELS / "sports-car-road.mtl", "The sports car's road.", materials.ROAD)
+               "sports-car-road.mtl", road.all_parts(), "%.3f")
+    mtl.write(MODELS / "sports-car-road.mtl", ["The sports car's road."], "sports-car", materials.ROAD)
     textures.write(MODELS / "sports-car")
 
 

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-
-def number(value, digits):
-    text = ("%.*f" % (digits, value)).rstrip("0").rstrip(".") if digits else "%d" % value
-    return "0" if text in ("-0", "") else text
+from obj import Obj
 
 
 def unit(vectors):
@@ -108,77 +105,17 @@ def smooth(name, material, points, faces, angle=35.0, uvs=None, uv_corners=None)
 
 
 # Where two digits of a normal do.
-ROUGH = {"tyre", "leather_dark", "alcantara", "lining", "gap_black", "carpet", "mortar", "wall", "kerb", "wall_cap", "bark", "leaves"}
+ROUGH = {"tyre", "leather_dark", "alcantara", "lining", "gap_black", "carpet", "mortar", "wall", "kerb", "wall_cap", "bark", "leaves",
+         "rubber", "trim_black", "leather", "grille", "grille_fine", "underbody", "liner", "belt"}
 
 
-def fans(points, face):
-    """Corners of a polygon as one polygon, begun where a fan of triangles covers it, or as triangles where none does."""
-    n = len(face)
-    normal = unit(np.cross(points[face], np.roll(points[face], -1, 0)).sum(0))
-    drop = int(np.abs(normal).argmax())
-    u, v = [(drop + 1) % 3, (drop + 2) % 3] if normal[drop] > 0 else [(drop + 2) % 3, (drop + 1) % 3]
-    p = points[face][:, [u, v]].tolist()
-
-    def size(a, b, c):
-        (x, y), (s, t), (q, r) = p[a], p[b], p[c]
-        return (s - x) * (r - y) - (t - y) * (q - x)
-
-    for start in range(n if n < 12 else 0):
-        if all(size(start, (start + k) % n, (start + k + 1) % n) > 2e-8 for k in range(1, n - 1)):
-            return [[(k + start) % n for k in range(n)]]
-    left, out = list(range(n)), []
-    while len(left) > 3:
-        ears = []
-        for i in range(len(left)):
-            a, b, c = left[i - 1], left[i], left[(i + 1) % len(left)]
-            area = size(a, b, c)
-            if area > 1e-10 and not any(min(size(a, b, q), size(b, c, q), size(c, a, q)) > -1e-10 for q in left if q not in (a, b, c)):
-                long = sum((p[j][0] - p[k][0]) ** 2 + (p[j][1] - p[k][1]) ** 2 for j, k in ((a, b), (b, c), (c, a)))
-                ears.append((area / long, -i))
-        i = -max(ears)[1] if ears else 0
-        out.append([left[i - 1], left[i], left[(i + 1) % len(left)]])
-        del left[i]
-    return out + [left]
-
-
-def write(path, comment, library, parts):
-    """Shared numbers are written once. Corners that print alike are merged, faces without area left out."""
-    lines = ["# " + line for line in comment] + ["mtllib " + library]
-    known = {"v": {}, "vt": {}, "vn": {}}
-
-    def index(kind, vector, digits):
-        text = " ".join(number(c, digits) for c in vector)
-        table = known[kind]
-        if text not in table:
-            table[text] = len(table) + 1
-            lines.append(kind + " " + text)
-        return table[text]
-
-    triangles = 0
+def write(path, comment, library, parts, position="%.4f"):
+    obj = Obj(comment, library, position, "%.3f", "%.3f", flat=True)
     for part in parts:
-        written = set()
-        lines += ["o " + part.name, "usemtl " + part.material]
-        v = [index("v", p, 4) for p in part.points]
-        vt = [index("vt", t, 4) for t in part.uvs] if part.uvs is not None else None
-        vn = [index("vn", n, 2 if part.material in ROUGH else 3) for n in part.normals]
-        for k, f in enumerate(part.faces):
-            text, kept, seen = [], [], set()
-            for c, p in enumerate(f):
-                if v[p] in seen:
-                    continue
-                seen.add(v[p])
-                kept.append(p)
-                uv = str(vt[part.uv_corners[k][c]]) if vt else ""
-                text.append("%d/%s/%d" % (v[p], uv, vn[part.corners[k][c]]))
-            if len(text) < 3:
-                continue
-            triangles += len(text) - 2
-            for row in fans(part.points, kept) if len(text) > 4 else [range(len(text))]:
-                key = frozenset(text[c] for c in row)
-                if key in written:
-                    continue
-                written.add(key)
-                lines.append("f " + " ".join(text[c] for c in row))
-    with open(path, "w", encoding="ascii", newline="\n") as out:
-        out.write("\n".join(lines) + "\n")
-    print("%s: %d triangles, %.2f MB" % (path.name, triangles, path.stat().st_size / 1e6))
+        obj.object(part.name, part.material)
+        points, normals = part.points.tolist(), part.normals.tolist()
+        uvs = part.uvs.tolist() if part.uvs is not None else None
+        for face, corners, uv_corners in zip(part.faces, part.corners, part.uv_corners):
+            obj.face([points[v] for v in face], [normals[c] for c in corners], [uvs[c] for c in uv_corners] if uvs else None,
+                     "%.2f" if part.material in ROUGH else None)
+    obj.write(path)

@@ -6,7 +6,7 @@ from cage import FRONT_AXLE, REAR_AXLE
 from fields import FRONT, SIDE, TOP, Outline, circle, curve, mirrored
 
 ARCHES = ((FRONT_AXLE, .335, .372), (REAR_AXLE, .348, .392))
-GAP = .0075
+GAP = .0095
 
 side = lambda t, l: t[0] == "side"
 flank = lambda t, l: t[0] == "side" or (t[0] == "top" and t[2] >= 3)
@@ -29,6 +29,7 @@ QUARTER = [(-.555, 1.030), (-.68, .985), (-.84, .915), (-.80, .872), (-.64, .858
 REAR_WINDOW = mirrored([(0, -.60), (.34, -.615), (.375, -.66), (.335, -.93), (.30, -.955), (0, -.955)])
 LID = mirrored([(0, -.565), (.39, -.585), (.445, -.70), (.40, -1.00), (.37, -1.40), (.40, -1.74), (.36, -1.80), (0, -1.80)])
 BONNET = mirrored([(0, 2.09), (.35, 2.07), (.52, 1.985), (.575, 1.80), (.555, 1.45), (.575, 1.10), (.60, .985), (.45, .965), (.20, .985), (0, .99)])
+BONNET_VENT = [(.205, 1.50), (.365, 1.60), (.425, 1.53), (.395, 1.37), (.235, 1.40)]
 LAMP = [(.600, 2.045), (.655, 1.93), (.735, 1.80), (.800, 1.715), (.852, 1.672), (.868, 1.735), (.858, 1.86), (.815, 1.955), (.72, 2.035), (.64, 2.075)]
 DOOR = [(.865, 1.4), (.865, .74), (.900, .62), (.895, .42), (.83, .25), (.76, .195), (-.40, .195), (-.50, .25), (-.545, .40), (-.585, .60), (-.62, .76), (-.62, 1.4)]
 INTAKE = [(-.640, .665), (-.700, .690), (-.855, .665), (-.885, .62), (-.865, .40), (-.83, .345), (-.76, .335), (-.655, .48)]
@@ -103,6 +104,9 @@ def cut(skin):
     skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)
     skin.panel("handle", Outline(HANDLE, SIDE, .012), side, .004, ("door",))
     skin.region("skirt", lambda p: p[:, 1] - (.178 + .012 * np.clip(-p[:, 2], 0, 1)), lambda t, l: side(t, l) and l in ("body", "door") and 3 < t[1] < 13)
+    for z in (-.735, -.80):
+        skin.region("intake_bar", lambda p: np.abs(p[:, 2] - z - .12 * (p[:, 1] - .50)) - .008, pick(side, "intake"))
+    skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
     for name, outline, bars in (("centre_intake", CENTRE_INTAKE, (.243,)), ("outer_intake", OUTER_INTAKE, (.255, .325))):
         hole = Outline(outline, FRONT, .03)
         skin.region(name + "_frame", hole, pick(face, "bumper"), .016)
@@ -118,12 +122,13 @@ def cut(skin):
     skin.region("vent", Outline(VENT, FRONT, .02), pick(tail_wide, "tail_bumper"))
     for _ in range(2):
         skin.coarsen()
-    for _ in range(4):
+    for _ in range(6):
         skin.weld()
 
 
 def cut_roughly(skin):
     """The windows alone, for what is seen from inside."""
+    skin.within = .006
     windows(skin)
     skin.region("rear_window", Outline(REAR_WINDOW, TOP, .03), lambda t, l: deck(t, l) and l == "body")
     for _ in range(2):

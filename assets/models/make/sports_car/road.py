@@ -33,6 +33,20 @@ def soft_uv(part, scale):
     return part
 
 
+def block(name, material, centre, size, bevel, out=1):
+    """A box whose edges are cut at `out`, an axis along which it is seen; the opposite side, which nobody sees, is open."""
+    half = np.asarray(size, float) / 2
+    u, v = (out + 1) % 3, (out + 2) % 3
+    points = []
+    for depth, inset in ((-half[out], 0), (half[out] - bevel, 0), (half[out], bevel)):
+        for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            p = np.array(centre, float)
+            p[out], p[u], p[v] = p[out] + depth, p[u] + a * (half[u] - inset), p[v] + b * (half[v] - inset)
+            points.append(p)
+    faces = [[4 * i + k, 4 * i + (k + 1) % 4, 4 * i + 4 + (k + 1) % 4, 4 * i + 4 + k] for i in range(2) for k in range(4)]
+    return smooth(name, material, points, faces + [[8, 9, 10, 11]], 20)
+
+
 def sheet(name, material, xs, zs, height, scale):
     """A field of quads over x and z, facing up."""
     points = np.array([(x, height(x, z) if callable(height) else height, z) for x in xs for z in zs])
@@ -47,19 +61,19 @@ def sheet(name, material, xs, zs, height, scale):
 def surface():
     far = np.array((-220, -60, -25, -10, 0, 10, 25, 60, 220.0))
     out = [sheet("asphalt", "asphalt", (KERB + .02, 0, 3, 9), far, lambda x, z: 0.0, .5)]
-    line = sheet("edge_line", "marking", (-1.46, -1.34), np.linspace(-90, 90, 31), .0015, .9)
-    dashes = [sheet("dashes", "marking", (2.34, 2.46), (z, z + 3.0), .0015, .9) for z in np.arange(-76.6, 80, 7.2)]
-    other = sheet("far_line", "marking", (6.2, 6.32), np.linspace(-90, 90, 31), .0015, .9)
+    line = sheet("edge_line", "marking", (-1.46, -1.34), (-90, 90), .003, .9)
+    dashes = [sheet("dashes", "marking", (2.34, 2.46), (z, z + 3.0), .003, .9) for z in np.arange(-76.6, 80, 7.2)]
+    other = sheet("far_line", "marking", (6.2, 6.32), (-90, 90), .003, .9)
     out += [line, joined("dashes", dashes), other]
     out += repairs()
     near = [k * 1.0 for k in range(-18, 18)]
     stones = []
     for k, z in enumerate(near):
         rng = np.random.default_rng(100 + k)
-        stone = box("kerb", "kerb", (KERB - .075 + rng.normal(0, .002), .035 + rng.normal(0, .002), z + .5), (.15, .17, .992), .012, 1)
+        stone = block("kerb", "kerb", (KERB - .075 + rng.normal(0, .002), .035 + rng.normal(0, .002), z + .5), (.15, .17, .992), .012)
         stones.append(boxed_uv(stone, 1.3, 200 + k))
     for z in ((-220, -18), (18, 220)):
-        stones.append(boxed_uv(box("kerb", "kerb", (KERB - .075, .035, sum(z) / 2), (.15, .17, z[1] - z[0]), .012, 1), 1.3, 7))
+        stones.append(boxed_uv(block("kerb", "kerb", (KERB - .075, .035, sum(z) / 2), (.15, .17, z[1] - z[0]), .012), 1.3, 7))
     out.append(joined("kerb", stones))
     out.append(sheet("pavement", "pavement", (WALL + .1, KERB - .15), far, .108, .62))
     return out
@@ -91,11 +105,11 @@ def repairs():
             line.append(p)
             a += rng.normal(0, .22) + .06 * (heading - a)
             p = p + np.array((np.cos(a), np.sin(a))) * .11
-        seals.append(ribbon("seals", "bitumen", line, np.interp(np.arange(count), [0, 3, count - 4, count - 1], [.012, .04, .04, .01]) * rng.uniform(.8, 1.2, count), .0014))
+        seals.append(ribbon("seals", "bitumen", line, np.interp(np.arange(count), [0, 3, count - 4, count - 1], [.012, .04, .04, .01]) * rng.uniform(.8, 1.2, count), .002))
     out = [joined("seals", seals)]
-    out.append(sheet("patch", "asphalt_new", (.25, 1.45), (4.9, 7.6), .0012, .5))
+    out.append(sheet("patch", "asphalt_new", (.25, 1.45), (4.9, 7.6), .001, .5))
     rim = [(.25 + 1.2 * a, 4.9 + 2.7 * b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
-    out.append(joined("patch_edge", [ribbon("patch_edge", "bitumen", [np.array(u) + (np.array(v) - np.array(u)) * t for t in np.linspace(0, 1, 9)], rng.uniform(.03, .045, 9), .0020)
+    out.append(joined("patch_edge", [ribbon("patch_edge", "bitumen", [np.array(u) + (np.array(v) - np.array(u)) * t for t in np.linspace(0, 1, 9)], rng.uniform(.03, .045, 9), .002)
                                      for u, v in zip(rim, rim[1:])]))
     turn = np.arange(40) * 2 * np.pi / 40
     ring = lambda r, h: [(3.35 + r * np.cos(a), h, -3.6 + r * np.sin(a)) for a in turn]
@@ -104,11 +118,11 @@ def repairs():
     faces = [[i * 40 + j, i * 40 + (j + 1) % 40, (i + 1) * 40 + (j + 1) % 40, (i + 1) * 40 + j] for i in range(len(radii) - 1) for j in range(40)]
     cover = smooth("manhole", "iron", points, faces, 30)
     cover = cover if cover.normals[cover.corners[0][0]][1] > 0 else smooth("manhole", "iron", points, [f[::-1] for f in faces], 30)
-    knobs = [box("manhole_knobs", "iron", (3.35 + x * .052, .005, -3.6 + z * .052), (.028, .008, .028), .003, 1) for x in range(-5, 6) for z in range(-5, 6) if np.hypot(x, z) < 5.2]
+    knobs = [block("manhole_knobs", "iron", (3.35 + x * .052, .005, -3.6 + z * .052), (.028, .008, .028), .003) for x in range(-5, 6) for z in range(-5, 6) if np.hypot(x, z) < 5.2]
     out += [cover, joined("manhole_knobs", knobs)]
-    bars = [box("gully", "iron", (KERB + .22, .002, 2.3 + k * .05), (.36, .010, .024), .003, 1) for k in range(11)]
-    bars += [box("gully", "iron", (KERB + .22 + s * .195, .002, 2.55), (.03, .012, .57), .003, 1) for s in (-1, 1)]
-    return out + [joined("gully", bars), sheet("gully_hole", "gap", (KERB + .04, KERB + .40), (2.28, 2.82), .0010, 1)]
+    bars = [block("gully", "iron", (KERB + .22, .002, 2.3 + k * .05), (.36, .010, .024), .003) for k in range(11)]
+    bars += [block("gully", "iron", (KERB + .22 + s * .195, .002, 2.55), (.03, .012, .57), .003) for s in (-1, 1)]
+    return out + [joined("gully", bars), sheet("gully_hole", "gap", (KERB + .04, KERB + .40), (2.28, 2.82), .001, 1)]
 
 
 def wall():
@@ -119,20 +133,20 @@ def wall():
         z = -16.0 - .23 * course
         while z < 16:
             long, high = rng.uniform(.36, .66), .215
-            blocks.append(boxed_uv(box("wall_blocks", "wall", (WALL - .17 + rng.normal(0, .007), .108 + .111 + course * .222, z + long / 2),
-                                       (.34, high, long - .014), .016, 1), .9, int(rng.integers(1e6))))
+            blocks.append(boxed_uv(block("wall_blocks", "wall", (WALL - .17 + rng.normal(0, .007), .108 + .111 + course * .222, z + long / 2),
+                                         (.34, high, long - .014), .016, 0), .9, int(rng.integers(1e6))))
             z += long
     out = [joined("wall_blocks", blocks)]
     out.append(box("wall_core", "mortar", (WALL - .17, .40, 0), (.30, .64, 31.6), .01, 1))
-    runs = [boxed_uv(box("wall_far", "wall", (WALL - .17, .10 + .333, sum(z) / 2), (.33, .70, z[1] - z[0]), .01, 1), .9, 5) for z in ((-200, -16.2), (16.2, 200))]
+    runs = [boxed_uv(block("wall_far", "wall", (WALL - .17, .10 + .333, sum(z) / 2), (.33, .70, z[1] - z[0]), .01, 0), .9, 5) for z in ((-200, -16.2), (16.2, 200))]
     out.append(joined("wall_far", runs))
     caps = []
     z = -17.0
     while z < 17:
-        caps.append(boxed_uv(box("wall_caps", "wall_cap", (WALL - .17 + rng.normal(0, .004), .812 + rng.normal(0, .002), z + .45), (.42, .075, .892), .014, 1), 1.0, int(rng.integers(1e6))))
+        caps.append(boxed_uv(block("wall_caps", "wall_cap", (WALL - .17 + rng.normal(0, .004), .812 + rng.normal(0, .002), z + .45), (.42, .075, .892), .014), 1.0, int(rng.integers(1e6))))
         z += .9
     for span in ((-200, -17), (z, 200)):
-        caps.append(boxed_uv(box("wall_caps", "wall_cap", (WALL - .17, .812, sum(span) / 2), (.42, .075, span[1] - span[0]), .014, 1), 1.0, 3))
+        caps.append(boxed_uv(block("wall_caps", "wall_cap", (WALL - .17, .812, sum(span) / 2), (.42, .075, span[1] - span[0]), .014), 1.0, 3))
     out.append(joined("wall_caps", caps))
     return out
 
@@ -201,11 +215,13 @@ def trees():
         for b in range(8):
             a = b * .785 + rng.random() * .6
             blobs.append((path[5] + np.array((np.cos(a) * .18, rng.uniform(-.10, .14), np.sin(a) * .18)) * tall, tall * rng.uniform(.10, .16)))
+        # Fewer and larger leaves far away.
+        count, grown = (46, 1.0) if np.hypot(x, z) < 30 else (28, 1.28)
         for centre, radius in blobs:
-            for _ in range(46):
+            for _ in range(count):
                 d = unit(rng.normal(0, 1, 3) + np.array((0, .25, 0)))
                 c = centre + d * radius * rng.uniform(.55, 1.05)
-                size = rng.uniform(.028, .048) * tall
+                size = rng.uniform(.028, .048) * tall * grown
                 u = unit(np.cross(d, rng.normal(0, 1, 3)))
                 r = unit(np.cross(u, d) + d * rng.normal(0, .5))
                 centres.append(c)
@@ -254,4 +270,5 @@ def tufts():
 
 
 def all_parts():
-    return surface() + wall() + ground() + [ridge("hills_near", 210, 20, 1), ridge("hills_far", 420, 62, 2)] + trees() + tufts()
+    # What has most faces comes first, where indices are short.
+    return trees() + tufts() + surface() + wall() + ground() + [ridge("hills_near", 210, 20, 1), ridge("hills_far", 420, 62, 2)]

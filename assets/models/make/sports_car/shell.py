@@ -77,18 +77,17 @@ def openings(skin):
     out = []
     for name in ("centre_intake", "outer_intake", "intake"):
         frame = skin.part(name + "_frame", "gloss_black", {name + "_frame"}, offset=-.002, fold=.01)
-        bars = [skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-.014, fold=.03, lip=.003)] if name != "intake" else []
-        for part in [frame] + bars:
+        bars = skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-.014, fold=.03, lip=.003)
+        for part in (frame, bars):
             out += [both(part)] if name == "centre_intake" else pair(part)
-    for name, depth, axes, back in (("centre_intake", .05, (0, 1), .14), ("outer_intake", .06, (0, 1), .10), ("vent", .025, (0, 1), .06), ("intake", .075, (2, 1), .13)):
-        ahead = np.array((0, 0, -1.0 if name != "vent" else 1.0))
-        if name == "intake":
-            ahead = np.array((-1.0, 0, 0))
+    for name, depth, axes, back in (("centre_intake", .05, (0, 1), .14), ("outer_intake", .06, (0, 1), .10), ("vent", .025, (0, 1), .06), ("intake", .075, (2, 1), .13),
+                                    ("bonnet_vent", .03, (0, 2), .05)):
+        ahead = np.array({"vent": (0, 0, 1.0), "intake": (-1.0, 0, 0), "bonnet_vent": (0, -1.0, 0)}.get(name, (0, 0, -1.0)))
         push = lambda d: (lambda p, n: p + ahead * d)
         whole = {name, name + "_bar"}
         wall = skin.part(name + "_walls", "trim_black", whole, fold=back, lip=.004, walls=True)
         out += [both(wall)] if name == "centre_intake" else pair(wall)
-        if name in ("vent", "intake"):
+        if name in ("vent", "intake", "bonnet_vent"):
             out += pair(planar(skin.part(name + "_mesh", "grille", whole, shift=push(depth)), axes, 14))
             out += pair(skin.part(name + "_back", "gap_black", whole, shift=push(back)))
     lamp = {"tail_lamp", "tail_line"}

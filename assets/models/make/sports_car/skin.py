@@ -5,6 +5,8 @@ import numpy as np
 from mesh import Part, face_normals, unit
 
 NEAR = 2.5e-4
+# What a line between regions may move when it is simplified.
+BEND = 7e-4
 
 
 class Skin:
@@ -16,6 +18,7 @@ class Skin:
         self.above = dict(zip(parents, grandparents))
         self.order = list(range(len(faces)))
         self.labels = ["body"] * len(faces)
+        self.within = .0018
         self.normals = None
 
     def shade(self):
@@ -157,16 +160,39 @@ class Skin:
         self.order = order
         self.faces, self.tags, self.labels, self.parents = faces, tags, labels, parents
 
-    def weld(self, shorter=.0075):
-        """Collapses short edges, towards the corner where more regions meet, so that no line between regions moves."""
+    def weld(self, shorter=.0075, straight=.03):
+        """Collapses short edges, towards the corner where more regions meet, so that no line between regions moves. Along such a
+        line edges are joined up to the length `straight`, where it bends by nothing that is seen."""
         around, sides = {}, {}
         for f, l in zip(self.faces, self.labels):
             for a, b in zip(f, f[1:] + f[:1]):
                 around.setdefault(a, set()).add(l)
                 sides.setdefault((min(a, b), max(a, b)), []).append(l)
+        lines = {}
+        for (a, b), labels in sides.items():
+            if len(set(labels)) == 2:
+                lines.setdefault(a, []).append(b)
+                lines.setdefault(b, []).append(a)
+
+        def bends(drop, keep):
+            """How far a corner of a line lies from the edge that would take its place."""
+            ends = lines.get(drop, [])
+            if len(ends) != 2 or len(around[drop]) != 2 or keep not in ends or ends[0] in busy or ends[1] in busy:
+                return np.inf
+            a, b = self.points[ends]
+            t = np.clip((self.points[drop] - a) @ (b - a) / max((b - a) @ (b - a), 1e-12), 0, 1)
+            return np.linalg.norm(self.points[drop] - a - t * (b - a))
+
         goal, busy = {}, set()
         for (a, b), labels in sides.items():
-            if a in busy or b in busy or np.linalg.norm(self.points[a] - self.points[b]) > shorter:
+            if a in busy or b in busy:
+                continue
+            length = np.linalg.norm(self.points[a] - self.points[b])
+            if shorter < length < straight and bends(b, a) < BEND:
+                goal[b] = a
+                busy |= {*lines[b], b}
+                continue
+            if length > shorter:
                 continue
             if len(labels) < 2 or (self.points[a, 0] == 0) != (self.points[b, 0] == 0):
                 continue
@@ -186,12 +212,12 @@ class Skin:
             setattr(self, name, [getattr(self, name)[k] for k in good])
         self.faces = [rows[k] for k in good]
 
-    def flat(self, four, within=.0013):
-        """Whether the middles of the edges and the centre lie on the larger face."""
+    def flat(self, four):
+        """Whether the middles of the edges and the centre lie on the larger face, as far as `within` says."""
         c = self.points[[f[0] for f in four]]
         e = self.points[[f[1] for f in four]]
         bent = np.abs(e - (c + np.roll(c, -1, 0)) / 2).max()
-        return bent < within and np.abs(self.points[four[0][2]] - c.mean(0)).max() < within
+        return bent < self.within and np.abs(self.points[four[0][2]] - c.mean(0)).max() < self.within
 
     def faces_of(self, labels, pick=None):
         return [f for f, l, t in zip(self.faces, self.labels, self.tags) if l in labels and (pick is None or pick(t))]

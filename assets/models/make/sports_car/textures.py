@@ -3,28 +3,14 @@
 import numpy as np
 from PIL import Image, ImageDraw, ImageFilter, ImageFont
 
+from noise import image, lattice, save
+
 
 def noise(size, octaves, seed, stretch=(1, 1)):
     """Smooth noise that repeats, 0 to 1: `octaves` of (cells across, weight)."""
     rng = np.random.default_rng(seed)
-    out = np.zeros((size, size))
-    total = 0
-    for cells, weight in octaves:
-        cy, cx = int(cells * stretch[1]), int(cells * stretch[0])
-        g = rng.random((cy, cx))
-        y, x = np.arange(size) * cy / size, np.arange(size) * cx / size
-        iy, ix = y.astype(int), x.astype(int)
-        fy, fx = y - iy, x - ix
-        fy, fx = (fy * fy * (3 - 2 * fy))[:, None], (fx * fx * (3 - 2 * fx))[None]
-        a, b = g[iy % cy][:, ix % cx], g[iy % cy][:, (ix + 1) % cx]
-        c, d = g[(iy + 1) % cy][:, ix % cx], g[(iy + 1) % cy][:, (ix + 1) % cx]
-        out += weight * ((a * (1 - fx) + b * fx) * (1 - fy) + (c * (1 - fx) + d * fx) * fy)
-        total += weight
-    return out / total
-
-
-def image(values):
-    return Image.fromarray(np.clip(np.round(values), 0, 255).astype(np.uint8))
+    out = sum(weight * lattice(size, size, int(cells * stretch[1]), int(cells * stretch[0]), rng) for cells, weight in octaves)
+    return out / sum(weight for _, weight in octaves)
 
 
 def tinted(value, low, high):
@@ -69,23 +55,23 @@ def asphalt(folder):
     crack = cracks(size, 3)
     fine = noise(size, ((256, 1), (512, 1)), 4)
     value = 86 + (grain - 110) * .42 + (patch - .5) * 26 + (fine - .5) * 22 - crack * 55
-    image(value[..., None] * (1, .985, .96) + (3, 3, 4)).save(folder / "asphalt.jpg", quality=84)
+    save(folder, "asphalt.jpg", value[..., None] * (1, .985, .96) + (3, 3, 4), 84)
     height = 120 + (grain - 110) * 1.3 + (fine - .5) * 40 - crack * 110
-    image(height).save(folder / "asphalt-bump.jpg", quality=80)
+    save(folder, "asphalt-bump.jpg", height, 80)
     worn = np.clip((noise(512, ((24, 1), (60, 1), (128, 1)), 5) - .36) * 7, 0, 1)
     grain = grain[:512, :512]
-    image(tinted(worn, (92, 90, 88), (226, 225, 218)) + (grain[..., None] - 110) * .12).save(folder / "marking.jpg", quality=82)
+    save(folder, "marking.jpg", tinted(worn, (92, 90, 88), (226, 225, 218)) + (grain[..., None] - 110) * .12, 82)
 
 
 def concrete(folder):
     base = noise(512, ((4, 1), (9, .8), (30, .5), (120, .6)), 10)
     pits = dots(512, 500, 11, (.6, 2.2), (40, 90))
     value = base + np.minimum(pits - 108, 0) / 400
-    image(tinted(value, (128, 124, 116), (205, 201, 192))).save(folder / "concrete.jpg", quality=82)
+    save(folder, "concrete.jpg", tinted(value, (128, 124, 116), (205, 201, 192)), 82)
     base = noise(512, ((3, 1), (8, 1), (25, .8), (80, .7), (200, .5)), 12)
     warm = noise(512, ((2, 1), (5, 1)), 13)
     stone = tinted(base, (104, 97, 86), (206, 196, 178)) + (warm[..., None] - .5) * (22, 6, -22)
-    image(stone).save(folder / "stone.jpg", quality=84)
+    save(folder, "stone.jpg", stone, 84)
     value = noise(512, ((6, 1), (16, .8), (90, 1), (220, .8)), 14)
     picture = tinted(value, (138, 132, 124), (196, 190, 180))
     y, x = np.mgrid[0:512, 0:512]
@@ -94,13 +80,13 @@ def concrete(folder):
     rng = np.random.default_rng(15)
     shade = rng.uniform(-12, 12, (4, 5))[row, ((x + row % 2 * 64) // 128)]
     picture += shade[..., None]
-    image(np.where((joint < 2)[..., None], 70, picture)).save(folder / "paving.jpg", quality=84)
+    save(folder, "paving.jpg", np.where((joint < 2)[..., None], 70, picture), 84)
 
 
 def plants(folder):
     value = noise(1024, ((6, 1), (16, .8), (60, .8), (200, 1), (400, 1.2)), 20)
     dry = np.clip(noise(1024, ((5, 1), (13, 1), (40, .6)), 21)[..., None] * 2.4 - .8, 0, 1)
-    image(tinted(value, (34, 50, 16), (112, 130, 58)) * (1 - .5 * dry) + .5 * dry * (146, 134, 78)).save(folder / "grass.jpg", quality=76)
+    save(folder, "grass.jpg", tinted(value, (34, 50, 16), (112, 130, 58)) * (1 - .5 * dry) + .5 * dry * (146, 134, 78), 76)
     rng = np.random.default_rng(22)
     picture = Image.new("RGBA", (512, 256), (84, 100, 44, 0))
     draw = ImageDraw.Draw(picture)
@@ -109,7 +95,7 @@ def plants(folder):
         g = rng.uniform(.7, 1.25)
         colour = (int(88 * g), int(108 * g), int(46 * g), 255)
         draw.polygon([(x - w, 256), (x + w, 256), (x + w * .6 + lean * .4, 256 - high * .6), (x + lean, 256 - high), (x - w * .6 + lean * .4, 256 - high * .6)], fill=colour)
-    picture.save(folder / "blades.png", optimize=True)
+    save(folder, "blades.png", picture)
     picture = Image.new("RGBA", (256, 256), (62, 84, 34, 0))
     draw = ImageDraw.Draw(picture)
     for _ in range(130):
@@ -118,20 +104,20 @@ def plants(folder):
         g = rng.uniform(.65, 1.3)
         leaf = [(s * np.cos(u) * 1.25, s * np.sin(u) * .55) for u in np.linspace(0, 6.28, 9)[:-1]]
         draw.polygon([(x + p * np.cos(t) - q * np.sin(t), y + p * np.sin(t) + q * np.cos(t)) for p, q in leaf], fill=(int(70 * g), int(96 * g), int(38 * g), 255))
-    picture.save(folder / "leaves.png", optimize=True)
+    save(folder, "leaves.png", picture)
     fields = noise(512, ((5, 1), (11, .6)), 24, (1, 2))
     woods = np.clip((noise(512, ((7, 1), (18, .7), (50, .35)), 25, (1, 1.6)) - .52) * 9, 0, 1)[..., None]
     leaf = noise(512, ((90, 1), (180, 1)), 26)
     land = tinted(fields, (104, 116, 78), (150, 150, 104)) * (1 - woods) + woods * tinted(leaf, (56, 74, 54), (92, 106, 80))
     up = np.linspace(1, 0, 512)[:, None, None]
-    image(land * (.80 - .15 * up) + (.20 + .15 * up) * np.array((150, 166, 184))).save(folder / "hills.jpg", quality=80)
+    save(folder, "hills.jpg", land * (.80 - .15 * up) + (.20 + .15 * up) * np.array((150, 166, 184)), 80)
 
 
 def car(folder):
     y, x = np.mgrid[0:128, 0:128]
     weave = ((x // 16 + y // 16) // 2) % 2
     across = np.where(weave == 0, np.sin(x * np.pi / 16) ** 2, np.sin(y * np.pi / 16) ** 2)
-    image(tinted(.25 + .75 * across * np.where(weave, .6, 1), (18, 18, 19), (62, 62, 64))).save(folder / "carbon.png", optimize=True)
+    save(folder, "carbon.png", tinted(.25 + .75 * across * np.where(weave, .6, 1), (18, 18, 19), (62, 62, 64)))
     size = 256
     y, x = np.mgrid[0:size, 0:size] / size
     # Hexagons: two columns and rows repeat in a square that is stretched by the root of 3 in use.
@@ -139,9 +125,9 @@ def car(folder):
     a = np.hypot((u % 1 - .5), (v % 1 - .5) * 1.0)
     b = np.hypot(((u + .5) % 1 - .5), ((v + .5) % 1 - .5) * 1.0)
     hole = np.minimum(a, b) < .29
-    image(np.where(hole, 0, 255)).resize((128, 128), Image.LANCZOS).save(folder / "mesh.png", optimize=True)
+    save(folder, "mesh.png", image(np.where(hole, 0, 255)).resize((128, 128), Image.LANCZOS))
     grain = noise(512, ((40, 1), (90, 1), (170, .8)), 30)
-    image(tinted(grain, (206, 150, 96), (236, 184, 128))).resize((256, 256)).save(folder / "leather.png", optimize=True)
+    save(folder, "leather.png", image(tinted(grain, (206, 150, 96), (236, 184, 128))).resize((256, 256)))
     disc(folder)
     signs(folder)
 
@@ -155,7 +141,7 @@ def disc(folder):
     for k in range(60):
         turn, radius = k * 2 * np.pi / 60, .60 + .33 * ((k * 7) % 5) / 4
         value = np.where(np.hypot(x - radius * np.cos(turn + radius * .7), y - radius * np.sin(turn + radius * .7)) < .020, 22, value)
-    image(value).save(folder / "disc.png", optimize=True)
+    save(folder, "disc.png", value)
 
 
 def signs(folder):
@@ -164,7 +150,7 @@ def signs(folder):
     draw.rounded_rectangle((8, 8, 1052, 232), 26, outline=(20, 20, 24), width=7)
     font = ImageFont.load_default(size=190)
     draw.text((530, 116), "LU 2K 26", font=font, fill=(20, 20, 26), anchor="mm", stroke_width=4, stroke_fill=(20, 20, 26))
-    picture.resize((530, 120), Image.LANCZOS).save(folder / "plate.png", optimize=True)
+    save(folder, "plate.png", picture.resize((530, 120), Image.LANCZOS))
     picture = Image.new("RGB", (512, 256), (6, 9, 14))
     draw = ImageDraw.Draw(picture)
     draw.arc((30, 30, 226, 226), 130, 410, fill=(230, 120, 30), width=10)
@@ -174,7 +160,7 @@ def signs(folder):
     draw.line([(280, 140), (320, 100), (350, 120), (400, 70), (480, 60)], fill=(240, 150, 60), width=6)
     for k, text in enumerate(("21.5 C", "P", "12:40")):
         draw.text((300 + k * 76, 200), text, font=ImageFont.load_default(size=26), fill=(200, 210, 220), anchor="mm")
-    picture.save(folder / "screen.png", optimize=True)
+    save(folder, "screen.png", picture)
 
 
 def write(folder):

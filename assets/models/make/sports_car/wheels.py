@@ -11,7 +11,7 @@ REAR_WHEEL = (.1525, .3455, .260)
 
 
 def tyre(half, radius, rim):
-    """Outer sidewall to inner sidewall over the tread. Four grooves round it, and slots across the shoulders."""
+    """Outer sidewall to inner sidewall over the tread. Two grooves round its outer half, and slots across the shoulders."""
     h, r = half, radius
     side = [(h - .018, rim - .008), (h - .006, rim - .002), (h - .004, rim + .006), (h + .002, rim + .014), (h + .006, rim + .030),
             (h + .007, rim + .045), (h + .004, r - .026), (h - .003, r - .014), (h - .012, r - .0065), (h - .024, r - .0025)]
@@ -21,7 +21,7 @@ def tyre(half, radius, rim):
         w, deep = .0048, .0075
         tread += [(x + w, r - .0008 * (1 - k)), (x + w - .001, r - deep), (x - w + .001, r - deep), (x - w, r)]
     outer = side + tread
-    profile = outer + [(-x, y) for x, y in tread[::-1] + side[9:5:-1] + side[4::-2]]
+    profile = outer + [(-x, y) for x, y in [(h * .5, r - .0015)] + side[9:5:-1] + side[4::-2]]
     pitch = 21
 
     def slots(x, rr, turn):
@@ -30,7 +30,7 @@ def tyre(half, radius, rim):
         rib = (np.abs(np.abs(x) - h * .34) < h * .14) & (rr > r - .003)
         return x, rr - np.where(shoulder & (phase < .24), .0055, 0) - np.where(rib & (phase < .24), .0035, 0)
 
-    return oriented(lathe("tyre", "tyre", profile, pitch * 4, 32, bend=slots))
+    return oriented(lathe("tyre", "tyre", profile, pitch * 3, 32, bend=slots))
 
 
 def barrel(half, rim):
@@ -39,7 +39,7 @@ def barrel(half, rim):
     profile = [(h - .004, r + .001), (h - .001, r - .002), (h - .002, r - .007), (h - .008, r - .010), (h - .020, r - .012), (h - .030, r - .020), (h - .055, r - .026),
                (-h + .03, r - .030), (-h + .006, r - .012), (-h + .001, r - .006), (-h + .002, r), (-h + .010, r - .001), (-h + .022, r - .014), (-h + .05, r - .022),
                (h - .05, r - .018), (h - .022, r - .006), (h - .012, r)]
-    return oriented(lathe("rim", "rim", profile, 54, 40, closed=True))
+    return oriented(lathe("rim", "rim", profile, 44, 40, closed=True))
 
 
 def spokes(half, rim):
@@ -52,10 +52,10 @@ def spokes(half, rim):
             path, sections = [], []
             for t in np.linspace(0, 1, 7):
                 r = .045 + (reach - .045) * t
-                spread = s * (.012 + .036 * t ** 1.15)
+                spread = s * (.015 + .039 * t ** 1.15)
                 x = edge - .040 + .034 * t ** .8 - .008 * np.sin(np.pi * t)
-                w = .0125 - .0045 * np.sin(np.pi * t * .8) + .004 * t ** 4
-                d = .017 - .004 * t + .006 * t ** 6
+                w = .0165 - .0045 * np.sin(np.pi * t * .8) + .005 * t ** 4
+                d = .020 - .004 * t + .006 * t ** 6
                 path.append((x, r, spread))
                 sections.append([(-w, 0), (-w * .55, d * .42), (w * .55, d * .42), (w, 0), (w * .8, -d * 1.3), (-w * .8, -d * 1.3)])
             out.append(bar(path, sections).moved(turned(0, 72 * k)))
@@ -87,7 +87,7 @@ def brake(half, rim, big):
     """A vented disc, whose holes are drawn, its bell, and a caliper."""
     x = half - .105
     r = rim - .060
-    disc = lathe("disc", "disc", [(x - .016, .105), (x - .016, r), (x - .006, r), (x - .006, r - .012), (x + .006, r - .012), (x + .006, r), (x + .016, r), (x + .016, .105)], 54, 30,
+    disc = lathe("disc", "disc", [(x - .016, .105), (x - .016, r), (x - .006, r), (x - .006, r - .012), (x + .006, r - .012), (x + .006, r), (x + .016, r), (x + .016, .105)], 40, 30,
                  uv=(1, 1), closed=True)
     # A coordinate plane across the disc carries its drilled pattern.
     disc.uvs = disc.points[:, 1:] / (2 * r) + .5

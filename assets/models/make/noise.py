@@ -5,7 +5,7 @@ from PIL import Image
 
 
 def lattice(height, width, down, across, seed):
-    """Smooth noise from 0 to 1 with `down` x `across` cells, which goes on at the other side."""
+    """Smooth noise from 0 to 1 with `down` x `across` cells, which goes on at the other side. `seed` may be a generator."""
     cells = np.random.default_rng(seed).random((down, across))
 
     def axis(length, count):
@@ -40,9 +40,14 @@ def scale(value, stops):
     return stops[i] * (1 - t) + stops[i + 1] * t
 
 
+def image(values):
+    """An array of 0 to 255, grey or colour, as a picture."""
+    return Image.fromarray(np.clip(np.round(values), 0, 255).astype(np.uint8))
+
+
 def save(folder, name, picture, quality=85):
-    """An array of 0 to 255, grey or colour, as a file: .jpg or .png by its name."""
-    picture = Image.fromarray(np.clip(np.round(picture), 0, 255).astype(np.uint8)) if isinstance(picture, np.ndarray) else picture
+    """A picture, or what is to be one, as a file: .jpg or .png by its name."""
+    picture = image(picture) if isinstance(picture, np.ndarray) else picture
     if name.endswith(".jpg"):
         picture.save(folder / name, quality=quality, optimize=True)
     else:
