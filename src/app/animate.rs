@@ -1,4 +1,4 @@
-//! `lucerna animate`: the frames of a scene that changes with time, and a film of them. A frame is a member of a family.
+//! `lucerna animate`: the frames of a scene that changes with time, and a movie of them. A frame is a member of a family.
 
 use std::ops::Range;
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ pub struct AnimateArguments {
     /// Render these frames alone, from A up to but not B: 10..20, ..20, 10.. or 10
     #[arg(long, value_name = "A..B", value_parser = range)]
     pub frames: Option<Range<usize>>,
-    /// Frames a second of the film, and of keys in seconds [default: the scene's]
+    /// Frames a second of the movie, and of keys in seconds [default: the scene's]
     #[arg(long, value_name = "N")]
     pub fps: Option<f64>,
     /// The folder that gets a folder of the scene's name
@@ -32,7 +32,7 @@ pub struct AnimateArguments {
     pub out: PathBuf,
 }
 
-/// Renders the frames that are not done, and makes a film of them.
+/// Renders the frames that are not done, and makes a movie of them.
 pub fn run(arguments: &AnimateArguments) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let path = scene::find(&arguments.scene)?;

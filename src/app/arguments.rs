@@ -33,7 +33,7 @@ pub enum Command {
     Watch(WatchArguments),
     /// Render a family of scenes that a file describes, doing only what differs again
     Variants(Box<VariantsArguments>),
-    /// Render the frames of a scene that changes with time, and a film of them
+    /// Render the frames of a scene that changes with time, and a movie of them
     Animate(Box<AnimateArguments>),
     /// Compare a picture with a reference
     Compare(CompareArguments),

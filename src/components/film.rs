@@ -92,7 +92,7 @@ impl Default for Render {
 /// The estimator.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
-    /// Directions from the BSDF alone; light is found by hitting it. Lights without extent, which nothing hits, are asked directly.
+    /// Directions from the BSDF alone; light is found by hitting it. Lights without extent, which nothing hits, are sampled.
     Bsdf,
     /// The same, and at every surface a light is asked directly; both ways are weighted together.
     #[default]

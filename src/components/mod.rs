@@ -6,7 +6,7 @@
 //! | material | `Name`, [`Material`], [`Maps`] |
 //! | texture | `Name`, [`Texture`] |
 //! | camera | `Name`, [`Camera`]; one of them is [`Active`] |
-//! | light | `Name`, [`Light`] |
+//! | light | `Name`, [`PointLight`] |
 //! | film | `Name`, [`Film`], [`Render`]: one entity |
 //! | environment | `Name`, [`Environment`]: at most one entity |
 //!
@@ -26,7 +26,7 @@ pub use bevy_ecs::name::Name;
 pub use camera::{Active, Camera, Focus, Lens};
 pub use environment::{Daylight, Environment, EnvironmentMap};
 pub use film::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Sampler, TextureFilter};
-pub use light::{Cone, Light};
+pub use light::{PointLight, SpotCone};
 pub use material::{Lobe, Material, Passage};
 pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};
 pub use rendered::{CameraItem, EnvironmentItem, rendered_camera, rendered_environment};
@@ -45,7 +45,7 @@ pub fn register(world: &mut World) {
     world.register_component::<Texture>();
     world.register_component::<Camera>();
     world.register_component::<Active>();
-    world.register_component::<Light>();
+    world.register_component::<PointLight>();
     world.register_component::<Film>();
     world.register_component::<Render>();
     world.register_component::<Environment>();

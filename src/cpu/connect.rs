@@ -21,7 +21,7 @@ pub struct LightSample {
     /// Of a point light, its intensity.
     pub radiance: DVec3,
     /// How far away a point light is; none of all that a ray could have found.
-    pub point: Option<f64>,
+    pub point_distance: Option<f64>,
     /// Index of the light's triangle in scene order; none for the sky and for points.
     pub triangle: Option<u32>,
     /// Weights of its second and third corner.
@@ -57,7 +57,7 @@ impl LightSampler<'_> {
                     _ => self.sky_turn * draw_sky(sky, u).direction,
                 };
                 let (radiance, pdf) = self.beyond(sky, direction);
-                LightSample { direction, pdf, radiance, point: None, triangle: None, weights: [0.0; 2] }
+                LightSample { direction, pdf, radiance, point_distance: None, triangle: None, weights: [0.0; 2] }
             }
             _ => self.draw_light(position, pick / self.light_share, u),
         }
@@ -107,7 +107,7 @@ impl LightSampler<'_> {
             direction,
             pdf: if lit { pdf } else { 0.0 },
             radiance: light.emission.as_dvec3(),
-            point: None,
+            point_distance: None,
             triangle: Some(light.triangle),
             weights: weights.to_array(),
         }
@@ -121,7 +121,7 @@ impl LightSampler<'_> {
             direction,
             pdf: f64::from(light.power) * self.point_density * distance * distance,
             radiance: point_intensity(light, -direction),
-            point: Some(distance),
+            point_distance: Some(distance),
             triangle: None,
             weights: [0.0; 2],
         }

@@ -198,8 +198,7 @@ impl<'a> PathScene<'a> {
         let geometric = if back_face { -front } else { front };
         let n = self.mesh_normal(hit);
         let side = if n.dot(geometric) < 0.0 { -n } else { n };
-        let shading = if n == front { geometric } else { bent_to_viewer(side, geometric, wo) };
-        ShadingFrame { wo, shading, geometric, back_face }
+        ShadingFrame { wo, shading: bent_to_viewer(side, geometric, wo), geometric, back_face }
     }
 
     /// That of its corners, or of the flat triangle.
@@ -247,7 +246,7 @@ impl<'a> PathScene<'a> {
         let above = from.direction.dot(frame.shading) > 0.0 && from.direction.dot(frame.geometric) > 0.0;
         let at = surface.evaluate(frame, from.direction);
         let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
-        let weight = if from.point.is_some() { 1.0 } else { power_heuristic(from.pdf, at.pdf) };
+        let weight = if from.point_distance.is_some() { 1.0 } else { power_heuristic(from.pdf, at.pdf) };
         let share = if counts { weight / from.pdf } else { 0.0 };
         Connection { from, light: at.value * from.radiance * share }
     }
@@ -263,7 +262,7 @@ impl<'a> PathScene<'a> {
         rays: &mut u32,
     ) -> DVec3 {
         let (mut origin, mut part) = (position, DVec3::ONE);
-        let mut left = light.point.map(|distance| distance * (1.0 - 1e-9));
+        let mut left = light.point_distance.map(|distance| distance * (1.0 - 1e-9));
         loop {
             let hit = self.first_hit(origin, light.direction, key, rays);
             let (Some(hit), Some(distance)) = (&hit, &mut left) else {

@@ -74,7 +74,7 @@ pub fn smaller(name: &str) -> &'static str {
         Some(Grows::Sky) => "use a smaller picture of the environment",
         Some(Grows::Film) => "use a smaller film (`--size`), or a part of it (`--crop`)",
         Some(Grows::Triangles) => "use fewer triangles",
-        Some(Grows::Lights) => "use fewer triangles that emit, or fewer lights",
+        Some(Grows::Lights) => "use fewer triangles that emit, or fewer point lights",
         Some(Grows::Materials) => "use fewer materials",
         Some(Grows::Textures) => "use smaller textures (`--texture-size`)",
         Some(Grows::Rays) => "ask for fewer rays",

@@ -31,14 +31,14 @@ pub use random::Random;
 pub use scene::OracleError;
 
 use light::Lights;
-use points::Points;
+use points::PointLights;
 use scene::Scene;
 
 /// A scene, ready to be rendered.
 pub struct Oracle {
     scene: Scene,
     lights: Lights,
-    points: Points,
+    points: PointLights,
     /// Path segments: 1 sees emitters only. That of the scene's settings at first.
     pub max_depth: u32,
     /// Whether every surface asks a light directly too; if not, light is found by hitting it, and points alone are asked. The mean is the same.
@@ -60,7 +60,7 @@ impl Oracle {
     /// Reads the world as the engine does: the active camera, everything else by the order of names.
     pub fn new(world: &mut World) -> Result<Self, OracleError> {
         let scene = Scene::read(world)?;
-        let (lights, points) = (Lights::new(&scene), Points::read(world));
+        let (lights, points) = (Lights::new(&scene), PointLights::read(world));
         Ok(Self { max_depth: scene.max_depth, ask_lights: true, scene, lights, points })
     }
 

@@ -6,14 +6,14 @@ use glam::DVec3;
 use super::Oracle;
 use super::bsdf::{Bsdf, Facing};
 use super::random::Random;
-use crate::components::Light;
+use crate::components::PointLight;
 
 /// All of them.
-pub struct Points(Vec<Light>);
+pub struct PointLights(Vec<PointLight>);
 
-impl Points {
+impl PointLights {
     pub fn read(world: &mut World) -> Self {
-        let mut query = world.query::<(&Name, &Light)>();
+        let mut query = world.query::<(&Name, &PointLight)>();
         let mut named: Vec<_> = query.iter(world).map(|(name, light)| (name.as_str().to_owned(), *light)).collect();
         named.sort_by(|a, b| a.0.cmp(&b.0));
         Self(named.into_iter().map(|(_, light)| light).collect())
@@ -66,7 +66,7 @@ impl Oracle {
 
 /// W/sr in a direction away from the light: whole within the inner cone of a spot, none beyond the outer one, and in between by the cubic of
 /// the cosine that is flat at both ends.
-fn intensity(light: &Light, direction: DVec3) -> DVec3 {
+fn intensity(light: &PointLight, direction: DVec3) -> DVec3 {
     let whole = light.intensity.as_dvec3();
     let Some(cone) = light.cone else { return whole };
     let cos = direction.dot((cone.look_at - light.position).normalize());

@@ -8,14 +8,8 @@ use crate::layout::trace::{MATERIAL_ONE_SIDED, MaterialRecord, luminance};
 use crate::layout::tree::Triangle;
 
 impl LightTable {
-    /// From triangles in scene order, each of which emits what its material does.
-    pub fn new(triangles: impl Iterator<Item = Triangle>, records: &[MaterialRecord]) -> Self {
-        let emission = |triangle: &Triangle| records.get(triangle.material as usize).map_or(Vec3::ZERO, |r| r.emission);
-        Self::of(triangles.map(|triangle| (triangle, emission(&triangle))), records, &[])
-    }
-
     /// From triangles in scene order, what each emits on average, and points; lights that emit nothing, or have no area, are left out. Empty if
-    /// all of them together are so dim that the density is beyond f32: they are left to be hit.
+    /// all of them together are so dim that the density is beyond f32: triangles are left to be hit, and points say nothing.
     pub fn of(
         triangles: impl Iterator<Item = (Triangle, Vec3)>,
         records: &[MaterialRecord],

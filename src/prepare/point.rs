@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::components::{Cone, Light};
+use crate::components::{PointLight, SpotCone};
 use crate::layout::light::PointLightRecord;
 use crate::layout::trace::luminance;
 
@@ -14,7 +14,7 @@ const EVERYWHERE: f64 = 2.0;
 /// A spot's light falls off from the inner cone to the outer one by the cubic `t^2 (3 - 2 t)` of the cosine (Pharr, Jakob and Humphreys,
 /// "Physically Based Rendering", 4th edition, section 12.2.1). That is symmetric, so what is sent out in between is half of what it would
 /// be without it, and the whole is 2 pi I (x + y) / 2 with 1 - cos of the inner angle and of the outer.
-pub fn point_light(light: &Light, origin: DVec3) -> PointLightRecord {
+pub fn point_light(light: &PointLight, origin: DVec3) -> PointLightRecord {
     let intensity = light.intensity.map(|channel| if channel.is_finite() { channel.max(0.0) } else { 0.0 });
     let (axis, inner, outer) = match light.cone {
         None => (DVec3::ZERO, EVERYWHERE, EVERYWHERE),
@@ -42,21 +42,22 @@ pub fn point_light(light: &Light, origin: DVec3) -> PointLightRecord {
 }
 
 /// 1 - cos of the angles to the axis between which a spot's light falls off.
-fn depths(cone: &Cone) -> [f64; 2] {
-    let [least, most] = Cone::ANGLES;
-    let half = 0.5 * if cone.angle.is_nan() { Cone::ANGLE } else { cone.angle.clamp(least, most) }.to_radians();
+fn depths(cone: &SpotCone) -> [f64; 2] {
+    let [least, most] = SpotCone::ANGLES;
+    let half = 0.5 * if cone.angle.is_nan() { SpotCone::ANGLE } else { cone.angle.clamp(least, most) }.to_radians();
     let blend = if cone.blend.is_nan() { 0.0 } else { cone.blend.clamp(0.0, 1.0) };
     // 2 sin^2 of half the angle, which small angles don't cancel in.
     [(1.0 - blend) * half, half].map(|angle| 2.0 * (0.5 * angle).sin().powi(2))
 }
 
-/// What a film expects of point lights at most: their intensity over so much of the scene's own `radius` squared that a surface as near as
-/// 1/400,000 of that still fits. What is far from them loses nothing to it: a step of the film is a millionth of their light at that radius.
+/// What a film expects of point lights at most: `NEAR` times what the brightest one sends over the scene's own `radius`. So a white surface
+/// fits that is a thousandth of the radius away, and nearer ones by as much room as films leave above what they expect. A step of the film
+/// is far below the light at that radius.
 pub fn brightest(lights: impl IntoIterator<Item = PointLightRecord>, radius: f64) -> f32 {
     let most = lights.into_iter().fold(Vec3::ZERO, |most, light| most.max(light.intensity)).max_element();
     let at = NEAR * f64::from(most) / (radius * radius);
     if at.is_finite() { at as f32 } else { 0.0 }
 }
 
-/// 2^20.
+/// By so much a surface that is 1/1024 of the scene's radius from a light is brighter than one at that radius.
 const NEAR: f64 = 1_048_576.0;

@@ -9,7 +9,7 @@ use bevy_ecs::prelude::*;
 use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
 use crate::components::{
-    self, Active, Camera, Environment, Film, Geometry, Light, Lobe, Material, Name, Texture, UsesMaterial,
+    self, Active, Camera, Environment, Film, Geometry, Lobe, Material, Name, PointLight, Texture, UsesMaterial,
 };
 
 /// Makes the world hold exactly the scene that `description` describes, entity by entity, matched by `Name`.
@@ -47,7 +47,7 @@ pub fn apply_changes(world: &mut World, earlier: Option<&SceneDescription>, desc
             mark_active(world, *camera, *name == description.active);
         }
     }
-    let lights = match_by_name::<Light>(world, description.lights.keys());
+    let lights = match_by_name::<PointLight>(world, description.lights.keys());
     for (name, light) in &description.lights {
         set_change(world, lights[name], earlier.and_then(|e| e.lights.get(name)), light);
     }

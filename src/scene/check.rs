@@ -166,7 +166,11 @@ impl Found {
         match frames(scene, &[], assets) {
             Ok(None) => {}
             Ok(Some(family)) => {
-                let _ = family.members.iter().all(|member| self.check_member(&family, member, assets));
+                for member in &family.members {
+                    if !self.check_member(&family, member, assets) {
+                        break;
+                    }
+                }
             }
             Err(errors) => self.diagnostics.list.extend(errors.list),
         }

@@ -8,8 +8,8 @@ use bevy_ecs::query::QueryState;
 use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
 use crate::components::{
-    CameraItem, EnvironmentItem, Film, Geometry, Light, Maps, Material, Name, Render, Texture, Transform, UsesMaterial,
-    rendered_camera, rendered_environment,
+    CameraItem, EnvironmentItem, Film, Geometry, Maps, Material, Name, PointLight, Render, Texture, Transform,
+    UsesMaterial, rendered_camera, rendered_environment,
 };
 
 type Surface = (Entity, &'static Name, &'static Material, Option<&'static MtlMaterial>, Option<&'static Maps>);
@@ -46,7 +46,7 @@ pub fn describe(world: &World, name: &str) -> SceneDescription {
         textures: query::<(&Name, &Texture)>(world).iter(world).map(|(name, t)| (key(name), t.clone())).collect(),
         active: active.unwrap_or_default(),
         cameras: cameras.iter(world).map(|(_, name, camera, _)| (key(name), *camera)).collect(),
-        lights: query::<(&Name, &Light)>(world).iter(world).map(|(name, light)| (key(name), *light)).collect(),
+        lights: query::<(&Name, &PointLight)>(world).iter(world).map(|(name, light)| (key(name), *light)).collect(),
         film,
         render,
         environment: rendered_environment(query::<EnvironmentItem>(world).iter(world)).cloned(),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::mtl::MtlMaterial;
-use crate::components::{Camera, Environment, Film, Light, MeshData, Render, Texture, Transform};
+use crate::components::{Camera, Environment, Film, MeshData, PointLight, Render, Texture, Transform};
 
 /// A whole scene as plain data, every name a stable key: equal files give equal descriptions.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub struct SceneDescription {
     /// The camera that is rendered, a key of `cameras`.
     pub active: String,
     /// By the name in the scene file.
-    pub lights: BTreeMap<String, Light>,
+    pub lights: BTreeMap<String, PointLight>,
     pub film: Film,
     pub render: Render,
     /// `None` is black.

@@ -1,10 +1,10 @@
 //! Lights in words: the way to list them beside materials.
 
 use super::mtl::Appearance;
-use crate::components::Light;
+use crate::components::PointLight;
 
 /// What a light is, and the numbers that make it so.
-pub fn appearance(light: &Light) -> Appearance {
+pub fn appearance(light: &PointLight) -> Appearance {
     let [x, y, z] = light.position.to_array();
     let [r, g, b] = light.intensity.to_array();
     let reason = format!("{r} {g} {b} W/sr at {x} {y} {z}");

@@ -20,3 +20,17 @@ fn keys_are_joined_with_those_of_the_extended_scene() {
     assert_eq!(family.files.len(), 2);
     assert!(planned(folder.path(), "c.ron").unwrap().is_none());
 }
+
+/// Also those of a curve of the same name; what is of another curve takes the place of all.
+#[test]
+fn keys_of_a_curve_are_joined() {
+    let base = scene(
+        r#"(frames: 5, keys: { "film.exposure": Smooth({ 0: 0, 4: 4 }), "camera": Step({ 0: front, 2: near }), "render.seed": Step({ 0: 3 }) })"#,
+    );
+    let over = r#"(extends: "a.ron", animate: (keys: {
+        "film.exposure": Smooth({ 0: 4 }), "camera": Step({ 2: None }), "render.seed": { 0: 1, 4: 5 } }))"#;
+    let folder = folder(&[("a.ron", &base), ("b.ron", over)]);
+    let family = planned(folder.path(), "b.ron").unwrap().unwrap();
+    let defines: Vec<&str> = family.members[3].defines.iter().map(|define| define.value.as_str()).collect();
+    assert_eq!(defines, ["4", "front", "4"]);
+}

@@ -74,14 +74,14 @@ fn a_model_that_moves_has_a_tree_a_place() {
     assert_eq!(film(folder.path(), "0002"), alone(&path, &given));
 }
 
-/// A frame that is wrong is marked, and the others are done; and there is no film.
+/// A frame that is wrong is marked, and the others are done; and there is no movie.
 #[test]
 fn a_frame_that_breaks_is_marked_and_the_others_are_done() {
     let keys = r#"{ "cameras.front.position": { 0: (0, 0, 2), 4: (0, 0, -2) } }"#;
     let folder = folder(&[("a.ron", &scene(&format!("(frames: 5, keys: {keys})")))]);
     let answer = answer(folder.path(), &["--spp", "1"], 1);
     assert_eq!(done(&answer), ["0000", "0001", "0003", "0004"]);
-    assert_eq!(answer.remarks, ["no film: 1 of 5 frames are not done"]);
+    assert_eq!(answer.remarks, ["no movie: 1 of 5 frames are not done"]);
 }
 
 #[test]

@@ -2,8 +2,8 @@
 
 mod between;
 mod extended;
-mod film;
 mod frames;
+mod movie;
 mod readme;
 mod resume;
 mod wrong;

@@ -44,7 +44,7 @@ fn a_run_that_is_killed_goes_on_and_ends_as_an_undisturbed_one() {
     let said = String::from_utf8(again.stdout).unwrap();
     assert!(again.status.success() && said.contains("8 of 8 frames, nothing had to be rendered"), "{said}");
 
-    // A key that is another makes those frames anew that it changes.
+    // Frames are of the scene file as it was: another one makes all of them anew.
     let text = std::fs::read_to_string(folder.path().join("a.ron")).unwrap();
     std::fs::write(folder.path().join("a.ron"), text.replace("7: (1, 1, 3)", "7: (1, 1, 4)")).unwrap();
     let listed = run(folder.path(), &[&flags[..], &["-o", "cut", "--list"]].concat());

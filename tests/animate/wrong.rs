@@ -73,7 +73,7 @@ fn what_is_wrong_is_told_where_it_stands() {
             keys(
                 "\"cameras.front\": Step({ 0: (position: (0, 0, 1), look_at: (0, 0, 0)) }), \"cameras.front.fov_y\": { 0: 1 }",
             ),
-            "`cameras.front` and `cameras.front.fov_y` are gone through at once",
+            "`cameras.front` and `cameras.front.fov_y` are changed at once",
         ),
         // What only the scene knows.
         (

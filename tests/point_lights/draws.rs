@@ -7,10 +7,11 @@ use lucerna::passes::{Binding, Pass, Recording, Size};
 use lucerna::prepare::point::point_light;
 use lucerna::shader::Library;
 
-use super::{bulb, planted, spot};
+use super::{bulb, spot};
 use crate::rooms::{Room, matte};
 use crate::statistics::{CHI_SQUARE_LIMIT, chi_square_z};
 use crate::support;
+use crate::support::plant::planted;
 
 const PROBE: &str = "
 import package::gen::{SampleKey, TraceParams};

@@ -5,7 +5,7 @@ use std::time::Duration;
 use bevy_ecs::prelude::*;
 use glam::{DAffine3, DVec3, UVec2, Vec3};
 use lucerna::Engine;
-use lucerna::components::{Camera, Integrator, Light, Material, Render, Transform};
+use lucerna::components::{Camera, Integrator, Material, PointLight, Render, Transform};
 use lucerna::layout::film::FilmPixel;
 use lucerna::scene::SceneDescription;
 use lucerna::shader::Library;
@@ -34,8 +34,8 @@ fn open(scene: &SceneDescription) -> Engine {
     Engine::open(support::gpu(), Library::shipped(), scene).unwrap()
 }
 
-fn light<'w>(world: &'w mut World, name: &str) -> Mut<'w, Light> {
-    let mut query = world.query::<(&Name, &mut Light)>();
+fn light<'w>(world: &'w mut World, name: &str) -> Mut<'w, PointLight> {
+    let mut query = world.query::<(&Name, &mut PointLight)>();
     query.iter_mut(world).find(|(other, _)| other.as_str() == name).expect("the light").1
 }
 
@@ -64,7 +64,7 @@ fn edits_end_where_a_fresh_engine_begins() {
             for mut place in world.query::<&mut Transform>().iter_mut(world) {
                 place.0 = DAffine3::from_translation(far);
             }
-            for mut light in world.query::<&mut Light>().iter_mut(world) {
+            for mut light in world.query::<&mut PointLight>().iter_mut(world) {
                 light.position += far;
                 light.cone.iter_mut().for_each(|cone| cone.look_at += far);
             }
@@ -73,7 +73,7 @@ fn edits_end_where_a_fresh_engine_begins() {
             }
         }),
         ("gone", |world| {
-            let all: Vec<Entity> = world.query_filtered::<Entity, With<Light>>().iter(world).collect();
+            let all: Vec<Entity> = world.query_filtered::<Entity, With<PointLight>>().iter(world).collect();
             all.into_iter().for_each(|light| assert!(world.despawn(light)));
         }),
     ];

@@ -2,7 +2,7 @@
 
 use bevy_ecs::prelude::*;
 use glam::{DVec3, Vec3};
-use lucerna::components::{Cone, Light};
+use lucerna::components::{PointLight, SpotCone};
 use lucerna::scene::{Define, Diagnostics, Loaded, apply, describe, load};
 
 const SCENE: &str = r#"(
@@ -21,19 +21,19 @@ fn load_text(scene: &str, defines: &[(&str, &str)]) -> Result<Loaded, Diagnostic
     load(&path, &defines)
 }
 
-fn light(defines: &[(&str, &str)], name: &str) -> Light {
+fn light(defines: &[(&str, &str)], name: &str) -> PointLight {
     load_text(SCENE, defines).unwrap_or_else(|errors| panic!("{errors}")).description.lights[name]
 }
 
 #[test]
 fn every_field_arrives() {
-    let bulb = Light { position: DVec3::new(1.0, 2.0, 3.0), intensity: Vec3::new(4.0, 5.0, 6.0), cone: None };
+    let bulb = PointLight { position: DVec3::new(1.0, 2.0, 3.0), intensity: Vec3::new(4.0, 5.0, 6.0), cone: None };
     assert_eq!(light(&[], "bulb"), bulb);
-    let cone = Cone { look_at: DVec3::Z, angle: 30.0, blend: 0.5 };
-    let lamp = Light { position: 3.0 * DVec3::Y, intensity: Vec3::splat(10.0), cone: Some(cone) };
+    let cone = SpotCone { look_at: DVec3::Z, angle: 30.0, blend: 0.5 };
+    let lamp = PointLight { position: 3.0 * DVec3::Y, intensity: Vec3::splat(10.0), cone: Some(cone) };
     assert_eq!(light(&[], "lamp"), lamp);
     let cone = light(&[], "plain").cone.expect("a spot");
-    assert_eq!((cone.angle, cone.blend), (Cone::ANGLE, Cone::BLEND));
+    assert_eq!((cone.angle, cone.blend), (SpotCone::ANGLE, SpotCone::BLEND));
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn the_way_back_gives_the_same_lights() {
     let tick = world.change_tick();
     world.increment_change_tick();
     apply(&mut world, &description);
-    let mut lights = world.query::<Ref<Light>>();
+    let mut lights = world.query::<Ref<PointLight>>();
     assert!(lights.iter(&world).all(|light| !light.last_changed().is_newer_than(tick, world.read_change_tick())));
     let mut fewer = description.clone();
     fewer.lights.remove("bulb");

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec3, Vec3};
-use lucerna::components::{Cone, Light};
+use lucerna::components::{PointLight, SpotCone};
 use lucerna::cpu::point::point_intensity;
 use lucerna::layout::trace::luminance;
 use lucerna::prepare::point::point_light;
@@ -13,7 +13,7 @@ use crate::light::{ALBEDO, SEEN, seen_of};
 use crate::rooms::{Room, matte};
 
 /// A floor, and a light over it.
-pub fn floor(light: &Light) -> Room {
+pub fn floor(light: &PointLight) -> Room {
     let mut room = Room { next_event: true, ..Room::default() };
     let floor = room.material(matte(Vec3::splat(ALBEDO), Vec3::ZERO));
     room.quad(Vec3::new(-1.0, 0.0, 1.0), 2.0 * Vec3::X, -2.0 * Vec3::Z, floor);
@@ -22,7 +22,7 @@ pub fn floor(light: &Light) -> Room {
 }
 
 /// What leaves the point that is seen: E = I cos / d^2, reflected by a Lambert surface. The light is where single precision has it.
-pub fn reflected(light: &Light) -> f64 {
+pub fn reflected(light: &PointLight) -> f64 {
     let to = light.position.as_vec3().as_dvec3() - SEEN;
     f64::from(ALBEDO) / PI * f64::from(light.intensity.x) * to.y / to.length().powi(3)
 }
@@ -80,7 +80,7 @@ fn the_power_is_what_is_sent_out() {
     ] {
         let record = point_light(&light, DVec3::ZERO);
         let (axis, edge) = match light.cone {
-            Some(Cone { angle, .. }) => (aim.normalize(), 0.5 * angle.to_radians()),
+            Some(SpotCone { angle, .. }) => (aim.normalize(), 0.5 * angle.to_radians()),
             None => (DVec3::Y, PI),
         };
         let side = axis.any_orthonormal_vector();
@@ -111,8 +111,8 @@ fn what_can_be_nowhere_leaves_a_picture() {
         here(DVec3::new(f64::INFINITY, 1.0, 0.0)),
         here(DVec3::splat(1e12)),
         here(SEEN + DVec3::Y * 1e-5),
-        Light { intensity: Vec3::new(f32::NAN, -1.0, f32::INFINITY), ..here(DVec3::Y) },
-        Light { intensity: Vec3::splat(1e-40), ..here(DVec3::Y) },
+        PointLight { intensity: Vec3::new(f32::NAN, -1.0, f32::INFINITY), ..here(DVec3::Y) },
+        PointLight { intensity: Vec3::splat(1e-40), ..here(DVec3::Y) },
         spot(DVec3::Y, DVec3::Y, 30.0, 0.5),
         spot(DVec3::Y, DVec3::splat(nan), 30.0, 0.5),
         spot(DVec3::Y, DVec3::ZERO, 0.0, 0.5),

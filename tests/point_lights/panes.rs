@@ -1,16 +1,15 @@
 //! Light of a point that comes through a pane or a veil.
 
 use glam::{DVec3, Vec3};
-use lucerna::components::{Energy, Light, Material, Passage};
+use lucerna::components::{Energy, Material, Passage, PointLight};
 use lucerna::cpu::bsdf::pane;
 use lucerna::layout::trace::MaterialRecord;
 use lucerna::prepare::material;
-use lucerna::shader::Library;
 
 use super::known::{floor, reflected};
-use super::{bulb, glazed, planted};
+use super::{bulb, glazed};
 use crate::light::{SEEN, seen_of};
-use crate::path::{against_twin, compare_integrators, small};
+use crate::path::{both_ways_equal_the_twin, compare_integrators, sees_mistakes};
 use crate::rooms::{Room, matte};
 
 const FILTER: Vec3 = Vec3::new(0.9, 0.6, 0.3);
@@ -20,7 +19,7 @@ fn through(passage: Passage) -> MaterialRecord {
 }
 
 /// The floor under a light, with sheets of some materials at heights between the two.
-fn under(light: &Light, sheets: &[(f32, MaterialRecord)]) -> Room {
+fn under(light: &PointLight, sheets: &[(f32, MaterialRecord)]) -> Room {
     let mut room = floor(light);
     for (height, record) in sheets {
         let material = room.material(*record);
@@ -64,20 +63,14 @@ fn what_arrives_has_gone_straight_on() {
 
 #[test]
 fn equals_the_f64_twin() {
-    for next_event in [true, false] {
-        let room = Room { next_event, roulette: true, ..glazed() };
-        against_twin(&room, Library::shipped(), &small(&room))
-            .unwrap_or_else(|why| panic!("asked {next_event}: {why}"));
-    }
-    let room = glazed();
-    for (right, wrong) in [
-        ("params.max_depth - 2u - (*state).bounce", "0u"),
-        ("(*connection).light *= passed_straight(", "(*connection).light *= 1.02 * passed_straight("),
-        ("connection.enough = 0.0;", "connection.enough *= 1.0;"),
-    ] {
-        let failed = against_twin(&room, planted("passes/trace/path", right, wrong), &small(&room)).is_err();
-        assert!(failed, "{wrong} went unnoticed");
-    }
+    both_ways_equal_the_twin(&glazed());
+    let path = "passes/trace/path";
+    let mistakes = [
+        (path, "params.max_depth - 2u - (*state).bounce", "0u"),
+        (path, "(*connection).light *= passed_straight(", "(*connection).light *= 1.02 * passed_straight("),
+        (path, "connection.enough = 0.0;", "connection.enough *= 1.0;"),
+    ];
+    sees_mistakes(&glazed(), &mistakes);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use bevy_ecs::prelude::*;
 use glam::{DMat3, DVec3, UVec2, Vec3};
 use lucerna::components::{
-    self, Active, Camera, Environment, EnvironmentMap, Film, Geometry, Lens, Light, Material, MeshData, Render,
+    self, Active, Camera, Environment, EnvironmentMap, Film, Geometry, Lens, Material, MeshData, PointLight, Render,
     Transform, UsesMaterial,
 };
 use lucerna::oracle::Oracle;
@@ -58,7 +58,7 @@ impl Stage {
         self.world.spawn((Name::new("sky"), environment));
     }
 
-    pub fn light(&mut self, light: Light) {
+    pub fn light(&mut self, light: PointLight) {
         self.world.spawn((Name::new("light"), light));
     }
 

@@ -137,7 +137,7 @@ fn two_axes_over_one_value_are_refused_where_the_second_is() {
         let folder = with_family(&format!(r#"(extends: "a.ron", sweep: {{ {sweep} }})"#));
         let errors = planned(folder.path()).unwrap_err();
         let shown = errors.list[0].to_string();
-        assert!(shown.contains("v.ron:1:") && shown.contains(&format!("{paths} are gone through at once")), "{shown}");
+        assert!(shown.contains("v.ron:1:") && shown.contains(&format!("{paths} are changed at once")), "{shown}");
     }
     // A name that only begins alike is another path.
     let folder = with_family(r#"(extends: "a.ron", sweep: { "materials.a.k": [1], "materials.a.kd": [2] })"#);

@@ -11,7 +11,7 @@ import package::lib::bsdf::frame::{BsdfSample, ShadingFrame, is_above};
 @if(thin) import package::lib::bsdf::frame::{mirror_direction};
 import package::lib::colour::{luminance};
 
-// What becomes of light.
+// What a pane reflects and lets through.
 struct PaneSplit {
     reflected: vec3<f32>,
     passed: vec3<f32>,

@@ -261,7 +261,7 @@ pub fn repeat(family: &Family, survey: &Survey, subject: &Subject, described: &D
     }
     let [file, name] = [&family.path.display().to_string(), &subject.member.name].map(|word| quoted(word));
     let command = match family.fps {
-        Some(_) => format!("lucerna animate {file} --frames {name}"),
+        Some(fps) => format!("lucerna animate {file} --frames {name} --fps {fps}"),
         None => format!("lucerna variants {file} --only {name}"),
     };
     command + &survey.flags

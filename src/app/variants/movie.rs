@@ -1,4 +1,4 @@
-//! Frames to a film that players play, by ffmpeg, where that is found.
+//! Frames to a movie that players play, by ffmpeg, where that is found.
 
 use std::io;
 use std::path::Path;
@@ -9,15 +9,15 @@ use super::record::{Answer, State};
 use super::wanted::Wanted;
 use crate::app::shared::describe::quoted;
 
-/// Sides are made even, and colours are those of BT.709 by name and by value: players take them for that.
+/// Sides are made even, and colours are those of BT.709, but for sRGB's curve; both by name and by value, so that players show them right.
 const FILTER: &str = "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv";
 
-/// Makes a film, `NAME.mp4`, of the frames that are wanted, which lie in a folder. Says in a line what came of it.
+/// Makes a movie, `NAME.mp4`, of the frames that are wanted, which lie in a folder. Says in a line what came of it.
 pub fn make(folder: &Path, answer: &Answer, wanted: &Wanted, fps: f64) -> String {
     let frames = || answer.records.iter().enumerate().filter(|(place, record)| wanted.has(*place, &record.name));
     let (count, missing) = (frames().count(), frames().filter(|(_, record)| record.state != State::Done).count());
     let Some((first, record)) = frames().next().filter(|_| missing == 0) else {
-        return format!("no film: {missing} of {count} frames are not done");
+        return format!("no movie: {missing} of {count} frames are not done");
     };
     let (name, part) = (format!("{}.mp4", answer.name), format!(".lucerna-{}.mp4.part", answer.name));
     let numbers = format!("%0{}d", record.name.len());
@@ -46,7 +46,7 @@ pub fn make(folder: &Path, answer: &Answer, wanted: &Wanted, fps: f64) -> String
     let _ = std::fs::remove_file(folder.join(&part));
     let words: Vec<String> = words(&format!("./{name}")).iter().map(|word| quoted(word)).collect();
     let folder = quoted(&folder.display().to_string());
-    format!("no film: {failed}; this would make it: cd {folder} && ffmpeg {}", words.join(" "))
+    format!("no movie: {failed}; this would make it: cd {folder} && ffmpeg {}", words.join(" "))
 }
 
 /// The first line that says something.

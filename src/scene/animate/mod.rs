@@ -11,6 +11,10 @@ use super::diagnostic::Diagnostic;
 /// The most frames of an animation.
 pub const MOST_FRAMES: u32 = 4096;
 
+/// Frames a second where none are given, and what they may be.
+pub const FPS: f64 = 24.0;
+pub const FPS_RANGE: [f64; 2] = [0.1, 1000.0];
+
 /// What a scene file says under `animate`.
 #[derive(Clone, Debug)]
 pub struct Animation {
@@ -46,7 +50,7 @@ pub enum Curve {
 pub struct Key {
     /// In frames from the first.
     pub at: f64,
-    /// Those of a track are alike, but for a step's.
+    /// Those of a track differ in numbers alone, but for a step's.
     pub value: Value,
     /// Of the value: a warning without its message.
     pub place: Diagnostic,
@@ -62,7 +66,8 @@ impl Track {
             let values: Vec<f64> = self.keys.iter().map(|key| key.value.numbers[part]).collect();
             match self.curve {
                 Curve::Smooth => curve::smooth(&places, &values, frame),
-                Curve::Linear | Curve::Step => curve::linear(&places, &values, frame),
+                Curve::Linear => curve::linear(&places, &values, frame),
+                Curve::Step => value.numbers[part],
             }
         };
         let value = value.with((0..value.numbers.len()).map(number));

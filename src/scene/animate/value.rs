@@ -21,11 +21,6 @@ impl Value {
         value
     }
 
-    /// A value that is one text.
-    pub fn whole(node: &Node) -> Self {
-        Self { texts: vec![node.source.to_owned()], numbers: Vec::new() }
-    }
-
     /// Whether all but the numbers is the same.
     pub fn is_like(&self, other: &Self) -> bool {
         self.texts == other.texts

@@ -1,12 +1,8 @@
 //! What a scene file says of values that change with time.
 
-use crate::scene::animate::{Animation, Curve, Key, MOST_FRAMES, Track, Value};
+use crate::scene::animate::{Animation, Curve, FPS, FPS_RANGE, Key, MOST_FRAMES, Track, Value};
 use crate::scene::diagnostic::{Diagnostic, Severity};
 use crate::scene::ron::{Fields, Kind, Node, Reader};
-
-/// Frames a second where none are given, and what they may be.
-const FPS: f64 = 24.0;
-const FPS_RANGE: [f64; 2] = [0.1, 1000.0];
 
 /// What all values of a track may be.
 const SHAPES: &str = "write { 0: a, 47: b }, Smooth({ 0: a, 47: b }), or Step({ 0: a, 47: b })";
@@ -74,7 +70,7 @@ fn read_track(path: &str, place: Diagnostic, node: &Node, times: Times) -> Resul
         if keys.iter().any(|key| key.at == at) {
             return Err(wrong(format!("a second key at frame {at}")).help("leave one of them out"));
         }
-        let value = if curve == Curve::Step { Value::whole(node) } else { Value::of(node) };
+        let value = Value::of(node);
         if curve != Curve::Step {
             check_value(&value, keys.first()).map_err(|(message, help)| error(node, message).help(help))?;
         }

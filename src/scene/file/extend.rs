@@ -98,7 +98,7 @@ fn join<'a>(base: Node<'a>, over: Node<'a>, plain: PlainField, path: &mut Vec<St
         (base @ Kind::Fields(_), Kind::Items(items)) if items.is_empty() && source.starts_with('(') => base,
         (Kind::Fields(fields), Kind::Fields(others)) => Kind::Fields(join_fields(fields, others, plain, path)),
         (Kind::Variant(name, Some(content)), Kind::Variant(other, Some(over))) if name == other => {
-            Kind::Variant(name, Some(Box::new(join(*content, *over, plain, path))))
+            Kind::Variant(name, Some(Box::new(join_contents(*content, *over, plain, path))))
         }
         (Kind::Scalar, Kind::Fields(others)) => {
             let parts: Vec<&str> = path.iter().map(String::as_str).collect();
@@ -114,6 +114,17 @@ fn join<'a>(base: Node<'a>, over: Node<'a>, plain: PlainField, path: &mut Vec<St
         (_, over) => over,
     };
     Node { text, source, kind }
+}
+
+/// Of variants: what stands alone in either is joined.
+fn join_contents<'a>(mut base: Node<'a>, mut over: Node<'a>, plain: PlainField, path: &mut Vec<String>) -> Node<'a> {
+    match (&mut base.kind, &mut over.kind) {
+        (Kind::Items(items), Kind::Items(others)) if items.len() == 1 && others.len() == 1 => {
+            *others = items.drain(..).zip(others.drain(..)).map(|(base, over)| join(base, over, plain, path)).collect();
+            over
+        }
+        _ => join(base, over, plain, path),
+    }
 }
 
 type Field<'a> = (String, &'a str, Node<'a>);

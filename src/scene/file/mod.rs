@@ -18,7 +18,7 @@ use super::environment::{EnvironmentEntry, read_environment};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::settings::{Group, SETTINGS, Settings, Value};
 use super::suggest::known_names;
-use crate::components::{Camera, Crop, Film, Light};
+use crate::components::{Camera, Crop, Film, PointLight};
 use animate::read_animation;
 use camera::read_camera;
 use entries::{read_entries, read_list};
@@ -40,7 +40,7 @@ pub struct SceneFile {
     pub cameras: BTreeMap<String, Camera>,
     /// The chosen camera, one of `cameras`.
     pub active: Option<String>,
-    pub lights: BTreeMap<String, Light>,
+    pub lights: BTreeMap<String, PointLight>,
     pub settings: Settings,
     pub environment: Option<EnvironmentEntry>,
     /// Without that, where something of the scene sends out light.

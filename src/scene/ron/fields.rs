@@ -85,7 +85,7 @@ impl<'r, 'a> Fields<'r, 'a> {
 
     /// The node of a field, which counts as known from here on. `None` (RON's) is absent.
     pub fn get(&self, name: &'static str) -> Option<&'r Node<'a>> {
-        self.written(name).filter(|node| !matches!(node.kind, Kind::Variant("None", None)))
+        self.written(name).filter(|node| !node.is_none())
     }
 
     /// The same, of a field that may be `None`.

@@ -5,8 +5,8 @@ use serde_json::Map;
 
 use super::parts::{about, any, between, each, list, map, number, object, or_none, text, tuple, variant, whole};
 use super::values::{keys, settings};
-use crate::components::{Cone, Lens, Light};
-use crate::scene::animate::MOST_FRAMES;
+use crate::components::{Lens, PointLight, SpotCone};
+use crate::scene::animate::{FPS, FPS_RANGE, MOST_FRAMES};
 use crate::scene::settings::Group;
 
 /// What a scene file may hold.
@@ -99,10 +99,10 @@ pub fn camera() -> Schema {
 
 pub fn light() -> Schema {
     let common = || {
-        let intensity = each(3, between(0.0, Light::MOST_INTENSITY));
+        let intensity = each(3, between(0.0, PointLight::MOST_INTENSITY));
         [("position", tuple(3, number())), ("intensity", about("W/sr where radiance is W/(m^2 sr)", intensity))]
     };
-    let [least, most] = Cone::ANGLES;
+    let [least, most] = SpotCone::ANGLES;
     let cone = [
         ("look_at", about("a point of the cone's axis", tuple(3, number()))),
         ("angle", or_none(about("across the cone, degrees", between(least, most)))),
@@ -146,7 +146,7 @@ fn animation() -> Schema {
     ]);
     let fields = [
         ("frames", about("how many there are", whole(1, MOST_FRAMES))),
-        ("fps", or_none(about("frames a second; 24 without it", between(0.1, 1000.0)))),
+        ("fps", or_none(about(&format!("frames a second; {FPS} without it"), between(FPS_RANGE[0], FPS_RANGE[1])))),
         ("keys", map("what changes, by paths such as `cameras.front.position`", or_none(track))),
     ];
     // What a file extends may have the others.

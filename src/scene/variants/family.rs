@@ -22,7 +22,7 @@ pub struct Family {
     pub members: Vec<Member>,
     pub reference: Option<Chosen>,
     pub goal: Option<Goal>,
-    /// Frames a second, where its members are those of a film.
+    /// Frames a second, where its members are the frames of a movie.
     pub fps: Option<f64>,
     /// What is not taken as written.
     pub warnings: Vec<Diagnostic>,

@@ -15,22 +15,27 @@ const _: () = assert!(MOST_FRAMES as usize <= MOST_MEMBERS);
 
 /// The frames of a scene file; none where nothing of it is animated. `defines` change the scene before keys do.
 pub fn frames(scene: &Path, defines: &[Define], assets: &Assets) -> Result<Option<Family>, Diagnostics> {
-    let fail = |diagnostic: Diagnostic| Diagnostics { list: vec![diagnostic] };
-    let still = plain(&Diagnostic::file(Severity::Error, scene, ""), defines.iter()).map_err(fail)?;
+    let mut still = plain(&Diagnostic::file(Severity::Error, scene, ""), defines.iter())?;
     let (mut files, mut diagnostics) = (Vec::new(), Diagnostics::default());
     let file = Reading { assets, files: &mut files, diagnostics: &mut diagnostics }.scene(scene, &still.defines);
     if diagnostics.has_errors() {
         return Err(diagnostics);
     }
     let Some(Animation { frames, fps, tracks }) = file.and_then(|file| file.animation) else { return Ok(None) };
+    // What was said of frames has been heard: a picture does not follow from it.
+    let about_frames = |define: &Define| define.path.split('.').next() == Some("animate");
+    if still.defines.iter().any(about_frames) {
+        still.defines.retain(|define| !about_frames(define));
+        still.defines.push(Define::given("animate", "None"));
+    }
     let columns: Vec<(&str, &Diagnostic)> = tracks.iter().map(|track| (track.path.as_str(), &track.place)).collect();
-    refuse_overlaps(&columns, "one would write over the other: give keys to one of them").map_err(fail)?;
+    refuse_overlaps(&columns, "one would write over the other: give keys to one of them")?;
     let digits = (frames - 1).to_string().len().max(4);
     let frame = |frame: u32| {
         let name = format!("{frame:0digits$}");
-        at(&tracks, frame, Member { name, at: vec![frame as usize], ..still.clone() }).map_err(fail)
+        at(&tracks, frame, Member { name, at: vec![frame as usize], ..still.clone() })
     };
-    let members = (0..frames).map(frame).collect::<Result<Vec<Member>, Diagnostics>>()?;
+    let members = (0..frames).map(frame).collect::<Result<Vec<Member>, Diagnostic>>()?;
     let axis = Axis {
         name: "frame".to_owned(),
         paths: tracks.iter().map(|track| track.path.clone()).collect(),

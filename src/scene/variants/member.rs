@@ -146,7 +146,7 @@ pub fn refuse_overlaps(columns: &[(&str, &Diagnostic)], help: &str) -> Result<()
             part.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
         if let Some((other, _)) = columns[..i].iter().find(|(other, _)| is_over(other)) {
-            let message = format!("`{other}` and `{path}` are gone through at once");
+            let message = format!("`{other}` and `{path}` are changed at once");
             return Err(Diagnostic { severity: Severity::Error, message, ..(*place).clone() }.help(help));
         }
     }
@@ -170,7 +170,7 @@ fn refuse_equal_names(members: &[Member]) -> Result<(), Diagnostic> {
 /// Says which defines of the command line members write over.
 pub fn hidden(columns: &[(&str, &Diagnostic)], defines: &[Define]) -> Vec<Diagnostic> {
     let over = columns.iter().filter(|(path, _)| defines.iter().any(|define| define.path == *path));
-    let message = |path: &str| format!("`{path}` is gone through here, which writes over `-D {path}=..`");
+    let message = |path: &str| format!("`{path}` changes here, which writes over `-D {path}=..`");
     over.map(|(path, place)| Diagnostic { severity: Severity::Warning, message: message(path), ..(*place).clone() })
         .collect()
 }

@@ -6,7 +6,7 @@ use super::family::Member;
 use crate::scene::define::{Define, Written};
 use crate::scene::diagnostic::{Diagnostic, Severity};
 use crate::scene::locate::{as_written, folder_of, near_names};
-use crate::scene::ron::{Kind, parse};
+use crate::scene::ron::parse;
 use crate::scene::text::{Text, missing};
 
 /// The path of the scene itself.
@@ -48,7 +48,7 @@ fn found<T>(found: Result<T, Diagnostic>, member: &mut Member, take: impl FnOnce
 fn folder(define: &Define) -> Result<Option<PathBuf>, Diagnostic> {
     let text = Text::new(Path::new("-D"), define.value.clone());
     match parse(&text) {
-        Ok(node) if matches!(node.kind, Kind::Variant("None", None)) => Ok(None),
+        Ok(node) if node.is_none() => Ok(None),
         _ => named(define, SHADERS, "folder", Path::is_dir).map(Some),
     }
 }

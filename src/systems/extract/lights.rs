@@ -8,7 +8,7 @@ use glam::Vec3;
 
 use super::step::Step;
 use super::surfaces::Surfaces;
-use crate::components::{Integrator, Light, Name, Texture};
+use crate::components::{Integrator, Name, PointLight, Texture};
 use crate::gpu::GpuTable;
 use crate::layout::light::{LightRecord, LightTable, PointLightRecord};
 use crate::layout::ray::NO_HIT;
@@ -24,7 +24,7 @@ pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(system.run_if(lights_changed).in_set(Step::Lights));
 }
 
-type TouchedLight = (With<Light>, Or<(Changed<Light>, Changed<Name>)>);
+type TouchedLight = (With<PointLight>, Or<(Changed<PointLight>, Changed<Name>)>);
 
 /// Triangles, records, textures, the integrator or the origin changed, or a point light came, went or changed.
 fn lights_changed(
@@ -33,7 +33,7 @@ fn lights_changed(
     policy: Res<Policy>,
     geometry: Res<SceneGeometry>,
     touched: Query<(), TouchedLight>,
-    mut gone: RemovedComponents<Light>,
+    mut gone: RemovedComponents<PointLight>,
     mut unnamed: RemovedComponents<Name>,
 ) -> bool {
     let gone = gone.read().count() + unnamed.read().count();
@@ -50,7 +50,7 @@ fn lights_changed(
 struct Emitting<'w, 's> {
     surfaces: Surfaces<'w>,
     textures: Query<'w, 's, (&'static Texture, &'static TextureSlot)>,
-    points: Query<'w, 's, (&'static Name, &'static Light)>,
+    points: Query<'w, 's, (&'static Name, &'static PointLight)>,
     geometry: Res<'w, SceneGeometry>,
 }
 

@@ -4,11 +4,11 @@ use bevy_ecs::prelude::*;
 use egui::{CollapsingHeader, DragValue, Grid, Ui};
 use glam::DVec3;
 
-use crate::components::{Cone, Light, Name};
+use crate::components::{Name, PointLight, SpotCone};
 
 /// All lights by name; `size` is the scene's. Says whether one was written.
 pub fn show(ui: &mut Ui, world: &mut World, size: f64) -> bool {
-    let mut query = world.query::<(&Name, &mut Light)>();
+    let mut query = world.query::<(&Name, &mut PointLight)>();
     let mut lights: Vec<_> = query.iter_mut(world).collect();
     lights.sort_by_key(|(name, _)| *name);
     let mut edited = false;
@@ -26,14 +26,14 @@ pub fn show(ui: &mut Ui, world: &mut World, size: f64) -> bool {
 }
 
 /// A line for each field.
-fn numbers(ui: &mut Ui, light: &mut Light, size: f64) {
+fn numbers(ui: &mut Ui, light: &mut PointLight, size: f64) {
     ui.label("position");
     place(ui, &mut light.position, size);
     ui.label("intensity");
     ui.horizontal(|ui| {
         for channel in light.intensity.as_mut() {
             let speed = 0.01 * f64::from(channel.max(1e-3));
-            let most = Light::MOST_INTENSITY as f32;
+            let most = PointLight::MOST_INTENSITY as f32;
             ui.add(DragValue::new(channel).range(0.0..=most).speed(speed).max_decimals(4));
         }
     });
@@ -42,7 +42,7 @@ fn numbers(ui: &mut Ui, light: &mut Light, size: f64) {
         ui.label("look_at");
         place(ui, &mut cone.look_at, size);
         ui.label("angle");
-        let [least, most] = Cone::ANGLES;
+        let [least, most] = SpotCone::ANGLES;
         ui.add(DragValue::new(&mut cone.angle).range(least..=most).speed(0.25).max_decimals(2));
         ui.end_row();
         ui.label("blend");
