@@ -34,7 +34,8 @@ impl Oracle {
             if self.ask_lights {
                 radiance += throughput * self.ask(origin, &facing, &bsdf, random);
             }
-            radiance += throughput * self.ask_points(origin, &facing, &bsdf, self.max_depth - segment - 1, random);
+            radiance +=
+                throughput * self.points.ask(&self.scene, origin, &facing, &bsdf, self.max_depth - segment - 1, random);
             let Some(draw) = bsdf.draw(&facing, random) else { break };
             throughput *= draw.weight;
             if throughput == DVec3::ZERO {

@@ -3,9 +3,9 @@
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
-use super::Oracle;
 use super::bsdf::{Bsdf, Facing};
 use super::random::Random;
+use super::scene::Scene;
 use crate::components::PointLight;
 
 /// All of them.
@@ -18,12 +18,11 @@ impl PointLights {
         named.sort_by(|a, b| a.0.cmp(&b.0));
         Self(named.into_iter().map(|(_, light)| light).collect())
     }
-}
 
-impl Oracle {
     /// What a surface reflects of all points. Light goes straight on through up to `passes` surfaces, where a draw from them does.
-    pub(super) fn ask_points(
+    pub fn ask(
         &self,
+        scene: &Scene,
         at: DVec3,
         facing: &Facing,
         bsdf: &Bsdf,
@@ -31,37 +30,38 @@ impl Oracle {
         random: &mut Random,
     ) -> DVec3 {
         let mut sum = DVec3::ZERO;
-        for light in &self.points.0 {
+        for light in &self.0 {
             let to = light.position - at;
             let wi = to.normalize_or_zero();
             let (value, _) = bsdf.evaluate(facing, wi);
             let sent = value * intensity(light, -wi) / to.length_squared().max(f64::MIN_POSITIVE);
             if sent != DVec3::ZERO {
-                sum += sent * self.part_that_arrives(at, light.position, passes, random);
+                sum += sent * part_that_arrives(scene, at, light.position, passes, random);
             }
         }
         sum
     }
+}
 
-    fn part_that_arrives(&self, from: DVec3, to: DVec3, passes: u32, random: &mut Random) -> DVec3 {
-        let direction = (to - from).normalize();
-        let (mut at, mut part) = (from, DVec3::ONE);
-        for met in 0..=passes {
-            let before = |hit: &super::tree::Hit| hit.t < (1.0 - 1e-9) * (to - at).length();
-            let Some(hit) = self.scene.closest(at, direction, random).filter(before) else { return part };
-            if met == passes {
-                break;
-            }
-            let facing = self.scene.facing(&hit, direction, random);
-            let bsdf = self.scene.substance(&hit).bsdf(self.scene.uv(&hit), random);
-            match bsdf.draw(&facing, random) {
-                Some(draw) if draw.pdf == 0.0 && draw.wi == direction => part *= draw.weight,
-                _ => break,
-            }
-            at += hit.t * direction;
+/// What goes straight on from the one point to the other.
+fn part_that_arrives(scene: &Scene, from: DVec3, to: DVec3, passes: u32, random: &mut Random) -> DVec3 {
+    let direction = (to - from).normalize();
+    let (mut at, mut part) = (from, DVec3::ONE);
+    for met in 0..=passes {
+        let before = |hit: &super::tree::Hit| hit.t < (1.0 - 1e-9) * (to - at).length();
+        let Some(hit) = scene.closest(at, direction, random).filter(before) else { return part };
+        if met == passes {
+            break;
         }
-        DVec3::ZERO
+        let facing = scene.facing(&hit, direction, random);
+        let bsdf = scene.substance(&hit).bsdf(scene.uv(&hit), random);
+        match bsdf.draw(&facing, random) {
+            Some(draw) if draw.pdf == 0.0 && draw.wi == direction => part *= draw.weight,
+            _ => break,
+        }
+        at += hit.t * direction;
     }
+    DVec3::ZERO
 }
 
 /// W/sr in a direction away from the light: whole within the inner cone of a spot, none beyond the outer one, and in between by the cubic of

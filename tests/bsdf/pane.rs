@@ -63,7 +63,7 @@ fn all_ways_between_the_faces_are_summed() {
     let off = worst(&mut rig());
     assert!(off < 2e-5, "{off}");
     for (right, wrong) in
-        [("/ between;", "/ between * 1.01;"), ("let reflected = r + r * m.tf", "let reflected = r + 0.9 * r * m.tf")]
+        [("/ between;", "/ between * 1.01;"), ("PaneSplit(r + r * m.tf", "PaneSplit(r + 0.9 * r * m.tf")]
     {
         let mut rig = Runtime::new(support::gpu(), plant(library(), "lib/bsdf/pane", right, wrong));
         assert!(worst(&mut rig) > 1e-3, "`{wrong}` goes unnoticed");

@@ -52,7 +52,7 @@ const MIXTURE: &str = "lib/bsdf/mixture";
 const LIGHT: &str = "lib/light";
 const SAMPLING: &str = "lib/sampling";
 const FOUND: &str = "light *= power_heuristic((*state).pdf, light_pdf(params, material, mean, area_normal, (*state).direction, hit.t));";
-const SAMPLED: &str = "(power_heuristic(drawn.pdf, at.pdf) / drawn.pdf)";
+const SAMPLED: &str = "var weight = power_heuristic(drawn.pdf, at.pdf);";
 const SURVIVAL: &str = "largest_of((*state).throughput) * (*state).eta_scale";
 
 pub const WRONG: &[Edit] = &[
@@ -60,7 +60,7 @@ pub const WRONG: &[Edit] = &[
     edit("1 % less diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.99 * INV_PI * cos_theta)")]),
     edit("half of the light that is sampled", &[change(PATH, "drawn.radiance *", "0.5 * drawn.radiance *")]),
     edit("1 % more of it", &[change(PATH, "drawn.radiance *", "1.01 * drawn.radiance *")]),
-    edit("no weight of light that is sampled", &[change(PATH, SAMPLED, "(1.0 / drawn.pdf)")]),
+    edit("no weight of light that is sampled", &[change(PATH, SAMPLED, "var weight = 1.0;")]),
     edit("no weight of light that is found", &[change(PATH, FOUND, "light *= 1.0;")]),
     edit("weights that do not add up to 1", &[change(LIGHT, "1.0 + ratio * ratio", "1.0 + 0.5 * ratio * ratio")]),
     edit("a diffuse pdf of even directions", &[change(LAMBERT, "return INV_PI * cos_theta", "return 0.5 * INV_PI")]),
@@ -112,7 +112,7 @@ pub const RIGHT: &[Edit] = &[
         &[change(PATH, SURVIVAL, "0.5 + 0.5 * largest_of((*state).throughput) * (*state).eta_scale")],
     ),
     edit("harsher roulette", &[change(PATH, SURVIVAL, "0.5 * largest_of((*state).throughput) * (*state).eta_scale")]),
-    edit("light is found and never sampled", &[change(PATH, FOUND, "light *= 1.0;"), change(PATH, SAMPLED, "0.0")]),
+    edit("light is found and never sampled", &[change(PATH, FOUND, "light *= 1.0;"), change(PATH, SAMPLED, "var weight = 0.0;")]),
     edit(
         "half of the looks at lights, twice",
         &[change(
