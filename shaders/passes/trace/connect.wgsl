@@ -1,14 +1,14 @@
 // Light sampling (next-event estimation): a light drawn for a surface, and the density with which that is done.
 
 import package::gen::{TraceParams, NO_HIT};
-@if(point_lights) import package::gen::{PointLightRecord, unpack_point_light_record};
+@if(lights && point_lights) import package::gen::{PointLightRecord, unpack_point_light_record};
 @if(lights) import package::gen::{LIGHT_RECORD_STRIDE, LightRecord, MATERIAL_ONE_SIDED, MaterialRecord, unpack_light_record};
 @if(lights) import package::lib::alias::{alias_pick};
 @if(lights) import package::lib::intersect::{triangle_normal};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point, light_weights};
 @if(lights) import package::lib::math::{largest_of};
-@if(point_lights) import package::lib::point::{point_intensity};
+@if(lights && point_lights) import package::lib::point::{point_intensity};
 @if(lights && emission_map) import package::passes::trace::emission::{emission_at};
 @if(sun) import package::lib::sun::{sun_covers};
 @if(sky_light && sun) import package::lib::sun::{sun_point};
@@ -24,7 +24,7 @@ fn load_light(index: u32) -> LightRecord {
     return unpack_light_record(lights[at], lights[at + 1u], lights[at + 2u], lights[at + 3u]);
 }
 
-@if(point_lights)
+@if(lights && point_lights)
 fn load_point(index: u32) -> PointLightRecord {
     let at = LIGHT_RECORD_STRIDE * index;
     return unpack_point_light_record(lights[at], lights[at + 1u], lights[at + 2u], lights[at + 3u]);
@@ -35,7 +35,7 @@ fn load_point(index: u32) -> PointLightRecord {
 const AROUND_LIGHT: f32 = 0x1p-12;
 
 // What is hit nearer than this part of the way to a point light hides it: a surface that the point lies in, by many roundings, does not.
-@if(point_lights) const BEFORE_POINT: f32 = 1.0 - 0x1p-20;
+@if(lights && point_lights) const BEFORE_POINT: f32 = 1.0 - 0x1p-20;
 
 // Light that arrives at a point from one drawn direction.
 struct LightSample {
@@ -73,12 +73,12 @@ fn light_pdf(params: TraceParams, material: MaterialRecord, mean: f32, area_norm
 }
 
 // A point light has no surface: what is drawn of it could have been found by no ray.
-@if(point_lights)
+@if(lights && point_lights)
 fn is_point(light: LightSample) -> bool {
     return light.triangle == NO_HIT && light.end > 0.0;
 }
 
-@if(point_lights)
+@if(lights && point_lights)
 fn draw_point(params: TraceParams, position: vec3<f32>, light: PointLightRecord) -> LightSample {
     let offset = light.position - position;
     let t = length(offset);
@@ -99,7 +99,7 @@ fn draw_from_table(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<
     let column = load_light(drawn.column);
     let index = select(column.other, drawn.column, drawn.rest < column.threshold);
     let light = load_light(index);
-    @if(point_lights) {
+    @if(lights && point_lights) {
         if (light.triangle == NO_HIT) {
             return draw_point(params, position, load_point(index));
         }

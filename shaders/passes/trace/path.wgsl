@@ -15,7 +15,7 @@ import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
 import package::lib::bsdf::frame::{ShadingFrame};
 import package::lib::bsdf::mixture::{mixture_sample};
 @if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
-@if(point_lights && (alpha || thin)) import package::lib::bsdf::straight::{passed_straight};
+@if(lights && point_lights && (alpha || thin)) import package::lib::bsdf::straight::{passed_straight};
 @if(lens) import package::gen::{LENS_DIMENSIONS};
 @if(!lens) import package::lib::camera::{camera_direction};
 @if(lens) import package::lib::camera::{lens_ray};
@@ -35,7 +35,7 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(textures) import package::passes::trace::textured::{textured};
 @if(textures || relief || emission_map) import package::passes::trace::footprint::{Texturing, at_point, spread_by, texturing_at};
 @if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, LightSample, draw_light};
-@if(point_lights) import package::passes::trace::connect::{is_point};
+@if(lights && point_lights) import package::passes::trace::connect::{is_point};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 import package::passes::trace::materials::{load_material};
@@ -200,7 +200,7 @@ struct Connection {
     // The light's triangle, or NO_HIT.
     triangle: u32,
     // How many surfaces it may yet pass: none, but on the way to a point light.
-    @if(point_lights && (alpha || thin)) passes: u32,
+    @if(lights && point_lights && (alpha || thin)) passes: u32,
 }
 
 // Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by scatter().
@@ -212,7 +212,7 @@ fn connect(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
     var light = vec3<f32>(0.0);
     if (drawn.pdf > 0.0 && at.pdf > 0.0) {
         var weight = power_heuristic(drawn.pdf, at.pdf);
-        @if(point_lights) {
+        @if(lights && point_lights) {
             weight = select(weight, 1.0, is_point(drawn));
         }
         light = (*state).throughput * at.value * drawn.radiance * (weight / drawn.pdf);
@@ -230,7 +230,7 @@ fn connect(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
         let far = max(length(offset), 0x1p-100);
         connection.ray = Ray(origin, 0.0, offset / far, far * drawn.end);
         connection.enough = far * (1.0 - AROUND_LIGHT);
-        @if(point_lights && (alpha || thin)) {
+        @if(lights && point_lights && (alpha || thin)) {
             if (is_point(drawn)) {
                 // What comes first may let it pass, as often as a path could pass on its way to another light.
                 connection.enough = 0.0;
@@ -243,7 +243,7 @@ fn connect(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
 
 // Takes a shadow ray to a point light on through what it has hit, weighted by what goes straight on there; whether anything does. Other lights
 // behind a pane are found by paths through it. A relief turns nothing that passes, and is not looked at.
-@if(point_lights && (alpha || thin))
+@if(lights && point_lights && (alpha || thin))
 fn pass_straight(connection: ptr<function, Connection>, hit: Hit) -> bool {
     let ray = (*connection).ray;
     if ((*connection).passes == 0u || hit.triangle == NO_HIT) {
@@ -401,7 +401,7 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
         var alive = true;
         var connection: Connection;
         var most = 2u * params.max_depth;
-        @if(point_lights && (alpha || thin)) {
+        @if(lights && point_lights && (alpha || thin)) {
             most += params.max_depth * params.max_depth / 2u;
         }
         for (var i = 0u; i < most; i++) {
@@ -411,7 +411,7 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
                 if (hit.triangle == connection.triangle || hit.triangle == NO_HIT) {
                     alive = add_radiance(&state, connection.light, NO_MATERIAL) && alive;
                 }
-                @if(point_lights && (alpha || thin)) {
+                @if(lights && point_lights && (alpha || thin)) {
                     is_shadow_ray = pass_straight(&connection, hit);
                 }
             } else {

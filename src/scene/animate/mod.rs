@@ -62,13 +62,14 @@ impl Track {
         let before = self.keys.partition_point(|key| key.at <= frame).saturating_sub(1);
         let Key { value, place, .. } = &self.keys[before];
         let places: Vec<f64> = self.keys.iter().map(|key| key.at).collect();
-        let number = |part: usize| {
+        let between = |curve: fn(&[f64], &[f64], f64) -> f64, part: usize| {
             let values: Vec<f64> = self.keys.iter().map(|key| key.value.numbers[part]).collect();
-            match self.curve {
-                Curve::Smooth => curve::smooth(&places, &values, frame),
-                Curve::Linear => curve::linear(&places, &values, frame),
-                Curve::Step => value.numbers[part],
-            }
+            curve(&places, &values, frame)
+        };
+        let number = |part: usize| match self.curve {
+            Curve::Linear => between(curve::linear, part),
+            Curve::Smooth => between(curve::smooth, part),
+            Curve::Step => value.numbers[part],
         };
         let value = value.with((0..value.numbers.len()).map(number));
         let written = Written::File { path: Box::new(self.place.clone()), value: Box::new(place.clone()) };
