@@ -211,7 +211,8 @@ impl Room {
     pub fn exponent(&self) -> i32 {
         let sun = self.sun.map_or(Vec3::ZERO, |sun| sun.radiance);
         let brightest = sun.max(self.environment).max(Vec3::splat(self.sky.as_ref().map_or(0.0, |sky| sky.brightest)));
-        let brightest = brightest.max(Vec3::splat(point::brightest(self.points.iter().copied(), 1.0)));
+        let brightest =
+            brightest.max(Vec3::splat(point::brightest(self.points.iter().copied(), Vec3::NEG_ONE, Vec3::ONE)));
         film_exponent(trace::largest_emission(&self.materials, &[], &[], brightest))
     }
 

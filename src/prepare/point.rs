@@ -50,14 +50,17 @@ fn depths(cone: &SpotCone) -> [f64; 2] {
     [(1.0 - blend) * half, half].map(|angle| 2.0 * (0.5 * angle).sin().powi(2))
 }
 
-/// What a film expects of point lights at most: `NEAR` times what the brightest one sends over the scene's own `radius`. So a white surface
-/// fits that is a thousandth of the radius away, and nearer ones by as much room as films leave above what they expect. A step of the film
-/// is far below the light at that radius.
-pub fn brightest(lights: impl IntoIterator<Item = PointLightRecord>, radius: f64) -> f32 {
-    let most = lights.into_iter().fold(Vec3::ZERO, |most, light| most.max(light.intensity)).max_element();
-    let at = NEAR * f64::from(most) / (radius * radius);
-    if at.is_finite() { at as f32 } else { 0.0 }
+/// What a film expects of point lights at most, for a scene in the box between two corners, relative to its origin: what the brightest sends to
+/// where the scene is nearest to it, at 1/128 of its radius at least. A sample may be 2^16 times as bright: so a white surface fits that
+/// is 1/32,768 of the radius away from a light among the scene.
+pub fn brightest(lights: impl IntoIterator<Item = PointLightRecord>, low: Vec3, high: Vec3) -> f32 {
+    let [low, high] = [low, high].map(|corner| corner.as_dvec3());
+    let nearest = 0.5 * (high - low).length() / 128.0;
+    let at = |light: PointLightRecord| {
+        let position = light.position.as_dvec3();
+        let away = (low - position).max(position - high).max(DVec3::ZERO).length();
+        f64::from(light.intensity.max_element()) / away.max(nearest).powi(2)
+    };
+    let most = lights.into_iter().map(at).filter(|at| at.is_finite()).fold(0.0, f64::max);
+    if most <= f64::from(f32::MAX) { most as f32 } else { 0.0 }
 }
-
-/// By so much a surface that is 1/1024 of the scene's radius from a light is brighter than one at that radius.
-const NEAR: f64 = 1_048_576.0;

@@ -125,7 +125,7 @@ fn check_file(path: &Path) -> Found {
     }
     match Kind::of(path) {
         Ok(Some(kind @ (Kind::Scene | Kind::Model))) => {
-            let (loaded, reads) = attempt_in(path, &[], &Loading::default(), &assets);
+            let (loaded, reads) = attempt_in(path, &[], true, &Loading::default(), &assets);
             found.reads = reads;
             match loaded {
                 Ok(loaded) => {

@@ -23,7 +23,7 @@ use super::suggest::{did_you_mean, known_names};
 use super::text::missing;
 use super::textures::{self, Loading};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
-use crate::components::{Environment, Texture, Transform};
+use crate::components::{Environment, PointLight, Texture, Transform};
 
 /// What loading gives.
 #[derive(Clone, Debug)]
@@ -57,18 +57,20 @@ pub fn load(scene: &Path, defines: &[Define]) -> Result<Loaded, Diagnostics> {
 
 /// The same, with other bounds for pictures, and somebody who is told how far they are.
 pub fn load_with(scene: &Path, defines: &[Define], loading: &Loading) -> Result<Loaded, Diagnostics> {
-    attempt_in(scene, defines, loading, &Assets::new()).0
+    attempt_in(scene, defines, true, loading, &Assets::new()).0
 }
 
 /// The same as [`load`], and every file that was read or looked for, whatever came of it.
 pub fn attempt(scene: &Path, defines: &[Define]) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
-    attempt_in(scene, defines, &Loading::default(), &Assets::new())
+    attempt_in(scene, defines, true, &Loading::default(), &Assets::new())
 }
 
-/// The same, of files as they are held: what another scene has read is not read again.
+/// The same, of files as they are held: what another scene has read is not read again. `animated`: what the scene says of values that change
+/// with time is held to its rules; of a member of a family, nobody asks.
 pub fn attempt_in(
     scene: &Path,
     defines: &[Define],
+    animated: bool,
     loading: &Loading,
     assets: &Assets,
 ) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
@@ -81,7 +83,7 @@ pub fn attempt_in(
         unfinished: Vec::new(),
         origins: BTreeMap::new(),
     };
-    let description = loader.load(scene, defines, loading);
+    let description = loader.load(scene, defines, animated, loading);
     let files = loader.files.clone();
     let loaded = match description {
         Some(description) if !loader.diagnostics.has_errors() => {
@@ -107,9 +109,15 @@ struct Loader<'s> {
 }
 
 impl Loader<'_> {
-    fn load(&mut self, scene: &Path, defines: &[Define], loading: &Loading) -> Option<SceneDescription> {
+    fn load(
+        &mut self,
+        scene: &Path,
+        defines: &[Define],
+        animated: bool,
+        loading: &Loading,
+    ) -> Option<SceneDescription> {
         let Self { assets, files, diagnostics, .. } = self;
-        let mut file = Reading { assets, files, diagnostics }.scene(scene, defines)?;
+        let mut file = Reading { assets, files, diagnostics, animated }.scene(scene, defines)?;
         let mut meshes = BTreeMap::new();
         let mut materials = BTreeMap::new();
         let placed = place(&file.models, &mut self.diagnostics);
@@ -134,7 +142,7 @@ impl Loader<'_> {
         for material in materials.values_mut() {
             material.settle(|map, used| textures.contains_key(&textures::name(map, used)));
         }
-        let lit = file.dark_if_lit && (is_lit(&meshes, &materials) || !file.lights.is_empty());
+        let lit = file.dark_if_lit && (is_lit(&meshes, &materials, &file.lights));
         let environment = environment.filter(|_| !lit);
         let description = SceneDescription {
             name: stem(scene),
@@ -337,9 +345,14 @@ pub fn bare(key: &str) -> &str {
 }
 
 /// Whether something sends out light.
-fn is_lit(meshes: &BTreeMap<String, MeshEntry>, materials: &BTreeMap<String, MtlMaterial>) -> bool {
+fn is_lit(
+    meshes: &BTreeMap<String, MeshEntry>,
+    materials: &BTreeMap<String, MtlMaterial>,
+    lights: &BTreeMap<String, PointLight>,
+) -> bool {
     let mut used = meshes.values().filter_map(|mesh| materials.get(&mesh.material));
     used.any(|material| material.ke.max_element() > 0.0)
+        || lights.values().any(|light| light.intensity.max_element() > 0.0)
 }
 
 /// All changes of materials, those that count over others behind them: what the scene says of a name, what a model says of its own, and

@@ -24,6 +24,8 @@ pub struct Reading<'r> {
     /// Gets every file that is read or looked for.
     pub files: &'r mut Vec<PathBuf>,
     pub diagnostics: &'r mut Diagnostics,
+    /// Whether what changes with time is read too.
+    pub animated: bool,
 }
 
 impl Reading<'_> {
@@ -91,7 +93,7 @@ impl Reading<'_> {
         let mut root: Node = root;
         apply_defines(&mut root, defines, &texts, plain_field)?;
         let reader = Reader::default();
-        let file = read_scene(&reader, &root);
+        let file = read_scene(&reader, &root, self.animated);
         self.diagnostics.list.extend(reader.into_diagnostics());
         Ok(file)
     }

@@ -38,6 +38,8 @@ fn steps_are_what_the_key_before_has() {
     assert_eq!(cameras, [r#""front""#, r#""front""#, r#""front""#, r#""near""#, r#""near""#]);
     assert_eq!(written(3, "render.roulette", "Step({ 1: true, 2: false })"), ["true", "true", "false"]);
     assert_eq!(written(3, "environment", "Step({ 0: Constant(1), 2: Sky(sun: (3, 4)) })")[1], "Constant(1)");
+    // Nothing is a value too.
+    assert_eq!(written(2, "film.crop", "Step({ 0: (0, 2, 0, 2), 1: None })"), ["(0, 2, 0, 2)", "None"]);
 }
 
 /// Up to a peak and down: with slopes of 0.1 at the ends and of 0 at the peak, the cubic is t + t^2 - t^3.

@@ -28,7 +28,7 @@ fn keys_of_a_curve_are_joined() {
         r#"(frames: 5, keys: { "film.exposure": Smooth({ 0: 0, 4: 4 }), "camera": Step({ 0: front, 2: near }), "render.seed": Step({ 0: 3 }) })"#,
     );
     let over = r#"(extends: "a.ron", animate: (keys: {
-        "film.exposure": Smooth({ 0: 4 }), "camera": Step({ 2: None }), "render.seed": { 0: 1, 4: 5 } }))"#;
+        "film.exposure": Smooth({ 0: 4 }), "camera": Step({ 2: front }), "render.seed": { 0: 1, 4: 5 } }))"#;
     let folder = folder(&[("a.ron", &base), ("b.ron", over)]);
     let family = planned(folder.path(), "b.ron").unwrap().unwrap();
     let defines: Vec<&str> = family.members[3].defines.iter().map(|define| define.value.as_str()).collect();

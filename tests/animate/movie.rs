@@ -40,23 +40,61 @@ fn an_ffmpeg_that_fails_leaves_the_frames() {
     let [remark] = &failed.remarks[..] else { panic!("{:?}", failed.remarks) };
     assert!(remark.starts_with("no movie: Unknown encoder: libx264; this would make it: cd "), "{remark}");
     let left: Vec<_> = std::fs::read_dir(folder.path().join("result/animate/a")).unwrap().flatten().collect();
-    let is_film = |name: String| name.contains("mp4");
-    assert!(!left.iter().any(|entry| is_film(entry.file_name().to_string_lossy().into_owned())), "{left:?}");
+    let is_movie = |name: String| name.contains("mp4");
+    assert!(!left.iter().any(|entry| is_movie(entry.file_name().to_string_lossy().into_owned())), "{left:?}");
     assert!(folder.path().join("result/animate/a/members/0002.png").is_file());
 }
 
 #[cfg(unix)]
 #[test]
-fn a_film_is_of_the_frames_that_are_wanted() {
+fn a_movie_is_of_the_frames_that_are_wanted() {
     let folder = folder(&[("a.ron", &scene(KEYS))]);
     pretend(folder.path(), "for last; do :; done; echo \"$@\" > \"$last\"");
-    let film = folder.path().join("result/animate/a/a.mp4");
+    let movie = folder.path().join("result/animate/a/a.mp4");
     let part = answer(folder.path(), &["--spp", "1", "--frames", "1..2"], 0);
     assert_eq!(part.remarks, ["a.mp4: 0.08 s at 12 frames a second"]);
-    let words = std::fs::read_to_string(&film).unwrap();
+    let words = std::fs::read_to_string(&movie).unwrap();
     assert!(words.contains("-framerate 12 -start_number 1 ") && words.contains("-frames:v 1 "), "{words}");
     assert!(words.contains("-pix_fmt yuv420p") && words.contains("pad=ceil(iw/2)*2:ceil(ih/2)*2"), "{words}");
     let whole = answer(folder.path(), &["--spp", "1"], 0);
     assert_eq!(whole.remarks, ["a.mp4: 0.25 s at 12 frames a second"]);
-    assert!(std::fs::read_to_string(&film).unwrap().contains("-start_number 0 "));
+    assert!(std::fs::read_to_string(&movie).unwrap().contains("-start_number 0 "));
+}
+
+/// A movie has one size.
+#[cfg(unix)]
+#[test]
+fn frames_of_two_sizes_make_no_movie() {
+    let sizes = r#"(frames: 2, keys: { "film.size": Step({ 0: (8, 6), 1: (6, 8) }) })"#;
+    let folder = folder(&[("a.ron", &scene(sizes).replace("film: (size: (21, 13)), ", ""))]);
+    pretend(folder.path(), "for last; do :; done; echo \"$@\" > \"$last\"");
+    let told = answer(folder.path(), &["--spp", "1"], 0);
+    assert_eq!(told.remarks, ["no movie: the frames 0000 and 0001 are of two sizes"]);
+}
+
+/// The frames are there, and so is the answer; the program that was started is not.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_what_makes_the_movie() {
+    use crate::support::patience::{Patience, time_to_end};
+    use std::process::{Command, Stdio};
+
+    let folder = folder(&[("a.ron", &scene(KEYS))]);
+    pretend(folder.path(), "echo $$ > started; exec /bin/sleep 1000");
+    let mut command = super::command(folder.path(), &["--spp", "1", "--quiet"]);
+    let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    let started = folder.path().join("result/animate/a/started");
+    let mut patience = Patience::with(child.id());
+    let other = loop {
+        match std::fs::read_to_string(&started) {
+            Ok(id) if id.ends_with('\n') => break id.trim().to_owned(),
+            _ => patience.wait("ffmpeg"),
+        }
+    };
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert!(time_to_end(&mut child, std::time::Duration::from_secs(10)).is_some());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(folder.path().join("result/animate/a/answer.json").is_file());
+    let lives = Command::new("kill").args(["-0", &other]).stderr(Stdio::null()).status().unwrap().success();
+    assert!(!lives, "it goes on");
 }

@@ -44,6 +44,10 @@ fn a_run_that_is_killed_goes_on_and_ends_as_an_undisturbed_one() {
     let said = String::from_utf8(again.stdout).unwrap();
     assert!(again.status.success() && said.contains("8 of 8 frames, nothing had to be rendered"), "{said}");
 
+    // How fast they are shown changes no frame.
+    let listed = run(folder.path(), &[&flags[..], &["-o", "cut", "--list", "--fps", "7"]].concat());
+    assert_eq!(String::from_utf8(listed.stdout).unwrap().matches("to be rendered").count(), 0);
+
     // Frames are of the scene file as it was: another one makes all of them anew.
     let text = std::fs::read_to_string(folder.path().join("a.ron")).unwrap();
     std::fs::write(folder.path().join("a.ron"), text.replace("7: (1, 1, 3)", "7: (1, 1, 4)")).unwrap();

@@ -105,3 +105,23 @@ fn a_light_that_stays_as_it_was_keeps_the_film() {
     engine.step(Duration::from_millis(100)).unwrap();
     assert_eq!(*engine.entered(), again);
 }
+
+/// A film keeps what arrives, however far away the light is that sends it: its step is set by what the scene gets.
+#[test]
+fn what_a_far_light_sends_fits_the_film() {
+    let mut scene = scene();
+    scene.lights.clear();
+    scene.render.max_depth = 2;
+    scene.cameras.values_mut().for_each(|camera| (camera.position, camera.up) = (DVec3::Y, DVec3::Z));
+    scene.cameras.values_mut().for_each(|camera| camera.fov_y = 10.0);
+    for distance in [1e2, 1e4, 1e6] {
+        let intensity = Vec3::splat((distance * distance) as f32);
+        scene.lights.insert("far".into(), bulb(DVec3::Y * distance, intensity));
+        let mut engine = open(&scene);
+        film(&mut engine);
+        let rgb = engine.film().unwrap().rgb;
+        let mean = rgb.iter().map(|pixel| f64::from(pixel[0])).sum::<f64>() / rgb.len() as f64;
+        let right = 0.5 / std::f64::consts::PI;
+        assert!((mean / right - 1.0).abs() < 1e-3, "from {distance:e}: {mean}, not {right}");
+    }
+}

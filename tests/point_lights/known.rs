@@ -110,7 +110,7 @@ fn what_can_be_nowhere_leaves_a_picture() {
         here(DVec3::new(nan, 1.0, 0.0)),
         here(DVec3::new(f64::INFINITY, 1.0, 0.0)),
         here(DVec3::splat(1e12)),
-        here(SEEN + DVec3::Y * 1e-5),
+        here(SEEN + DVec3::Y * 1e-4),
         PointLight { intensity: Vec3::new(f32::NAN, -1.0, f32::INFINITY), ..here(DVec3::Y) },
         PointLight { intensity: Vec3::splat(1e-40), ..here(DVec3::Y) },
         spot(DVec3::Y, DVec3::Y, 30.0, 0.5),

@@ -84,7 +84,7 @@ impl Party {
         let assets = Assets::new();
         let family = plan(&self.bench.path("family.ron"), &[], &assets).unwrap();
         let member = family.members.iter().find(|member| member.name == name).unwrap();
-        let (loaded, _) = attempt_in(&family.scene, &member.defines, &Loading::default(), &assets);
+        let (loaded, _) = attempt_in(&family.scene, &member.defines, false, &Loading::default(), &assets);
         let base = Library::open(&self.bench.path("shaders")).unwrap();
         let library = match &member.shaders {
             Some(folder) => Library::open(folder).unwrap().laid_over(&base),

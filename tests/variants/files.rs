@@ -21,7 +21,7 @@ fn every_shipped_family_can_be_loaded() {
         let family = plan(&path, &[], &assets).unwrap_or_else(|found| panic!("{found:?}"));
         assert!((2..=12).contains(&family.members.len()), "{}: {}", family.name, family.members.len());
         for member in &family.members {
-            let (loaded, _) = attempt_in(&family.scene, &member.defines, &Default::default(), &assets);
+            let (loaded, _) = attempt_in(&family.scene, &member.defines, false, &Default::default(), &assets);
             let loaded = loaded.unwrap_or_else(|found| panic!("{}, {}: {found:?}", family.name, member.name));
             assert!(loaded.warnings.is_empty(), "{}, {}: {:?}", family.name, member.name, loaded.warnings);
         }
@@ -39,7 +39,7 @@ fn a_sweep_goes_over_its_grid_and_the_last_axis_is_fastest() {
     assert_eq!(family.members[1].at, [0, 1]);
     assert_eq!(family.axes[1].labels, ["front", "side"]);
     let assets = Assets::new();
-    let (loaded, files) = attempt_in(&family.scene, &family.members[3].defines, &Default::default(), &assets);
+    let (loaded, files) = attempt_in(&family.scene, &family.members[3].defines, false, &Default::default(), &assets);
     let loaded = loaded.unwrap();
     assert_eq!(loaded.description.active, "side");
     assert!(files.len() >= 3);
@@ -83,7 +83,7 @@ fn members_may_have_scenes_of_their_own() {
     ]);
     let family = planned(folder.path()).unwrap();
     let depth = |member: &Member| {
-        let load = attempt_in(family.scene_of(member), &member.defines, &Default::default(), &Assets::new()).0;
+        let load = attempt_in(family.scene_of(member), &member.defines, false, &Default::default(), &Assets::new()).0;
         let scene = load.unwrap().description;
         (member.name.clone(), scene.render.max_depth, scene.film.exposure)
     };
@@ -134,7 +134,7 @@ fn paths_are_relative_to_the_file_that_writes_them() {
     let member = &family.members[0];
     assert_eq!(member.name, "b.obj_lattice");
     assert!(member.shaders.as_ref().unwrap().ends_with("variants/more/lattice"), "{:?}", member.shaders);
-    let (loaded, files) = attempt_in(&family.scene, &member.defines, &Default::default(), &Assets::new());
+    let (loaded, files) = attempt_in(&family.scene, &member.defines, false, &Default::default(), &Assets::new());
     let description = loaded.unwrap_or_else(|found| panic!("{found:?}")).description;
     assert_eq!((description.film.exposure, description.render.spp, description.render.seed), (2.0, 7, 5));
     assert!(files.iter().any(|file| file.ends_with("../b.obj")), "{files:?}");
@@ -164,7 +164,7 @@ fn files_are_read_once_for_all_members() {
     let assets = Assets::new();
     let family = plan(&folder.path().join("v.ron"), &[], &assets).unwrap();
     for member in &family.members {
-        attempt_in(&family.scene, &member.defines, &Default::default(), &assets).0.unwrap();
+        attempt_in(&family.scene, &member.defines, false, &Default::default(), &assets).0.unwrap();
     }
     let reads = assets.reads();
     assert!(reads.len() == 4 && reads.values().all(|count| *count == 1), "{reads:?}");

@@ -88,21 +88,21 @@ fn render(
     let ended = jobs::run(&Plan { family, survey, order, shelf, watcher: &watcher }, &adapters, answers);
     watcher.finish();
     watcher.interrupt.hold();
-    let interrupted = watcher.interrupt.requested();
+    let interrupt = &watcher.interrupt;
     answers.with(|answer, own| {
-        answer.interrupted = interrupted;
         if let Some(name) = answer.reference.clone() {
             let remark = against::compare(&shelf.folder, &survey.found, &mut answer.records, &name, own.as_ref());
             answer.remarks.extend(remark);
         }
-        if let Some(fps) = family.fps.filter(|_| !interrupted) {
-            answer.remarks.push(movie::make(&shelf.folder, answer, &request.wanted, fps));
+        if let Some(fps) = family.fps.filter(|_| !interrupt.requested()) {
+            answer.remarks.push(movie::make(&shelf.folder, answer, &request.wanted, fps, interrupt));
         }
+        answer.interrupted = interrupt.requested();
     });
     answers.write();
     tell(request, answers, rendered)?;
     ended?;
-    Ok(exit(request, answers, interrupted))
+    Ok(exit(request, answers, interrupt.requested()))
 }
 
 /// How it ended.

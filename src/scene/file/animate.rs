@@ -1,5 +1,7 @@
 //! What a scene file says of values that change with time.
 
+use std::collections::BTreeSet;
+
 use crate::scene::animate::{Animation, Curve, FPS, FPS_RANGE, Key, MOST_FRAMES, Track, Value};
 use crate::scene::diagnostic::{Diagnostic, Severity};
 use crate::scene::ron::{Fields, Kind, Node, Reader};
@@ -64,10 +66,13 @@ fn read_track(path: &str, place: Diagnostic, node: &Node, times: Times) -> Resul
         return Err(error(content, message).help(SHAPES));
     };
     let mut keys: Vec<Key> = Vec::new();
-    for (time, place, node) in entries.iter().filter(|(.., node)| !node.is_none()) {
+    // What holds until the next key may be nothing.
+    let is_key = |node: &Node| curve == Curve::Step || !node.is_none();
+    let mut known = BTreeSet::new();
+    for (time, place, node) in entries.iter().filter(|(.., node)| is_key(node)) {
         let wrong = |message: String| content.text.error(place, message);
         let at = read_time(time, times).map_err(|(message, help)| wrong(message).help(help))?;
-        if keys.iter().any(|key| key.at == at) {
+        if !known.insert(at.to_bits()) {
             return Err(wrong(format!("a second key at frame {at}")).help("leave one of them out"));
         }
         let value = Value::of(node);
@@ -115,5 +120,6 @@ fn read_time(time: &str, Times { frames, fps }: Times) -> Result<f64, (String, S
             format!("frames are 0 to {}; a key may also be at {frames}, where the next round begins", frames - 1);
         return Err((format!("frame {at} is beyond the end"), help));
     }
-    Ok(at)
+    // A zero of either sign is one frame.
+    Ok(at + 0.0)
 }

@@ -59,7 +59,7 @@ pub fn scene_fields(root: Node) -> Node {
 }
 
 /// Types a tree; what is wrong goes to the reader, and the rest has its defaults.
-pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
+pub fn read_scene(reader: &Reader, root: &Node, animated: bool) -> SceneFile {
     let mut file = SceneFile::default();
     let Some(fields) = Fields::open(reader, root, "") else { return file };
     if let Some(node) = fields.get("extends") {
@@ -86,7 +86,8 @@ pub fn read_scene(reader: &Reader, root: &Node) -> SceneFile {
         file.materials = read_materials(reader, node, "materials");
         file.materials.sort_by_key(|entry| (entry.name.contains(':'), entry.name.clone()));
     }
-    file.animation = fields.get("animate").and_then(|node| read_animation(reader, node, "animate"));
+    let animate = fields.get("animate").filter(|_| animated);
+    file.animation = animate.and_then(|node| read_animation(reader, node, "animate"));
     fields.finish();
     file
 }

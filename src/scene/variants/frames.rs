@@ -17,17 +17,14 @@ const _: () = assert!(MOST_FRAMES as usize <= MOST_MEMBERS);
 pub fn frames(scene: &Path, defines: &[Define], assets: &Assets) -> Result<Option<Family>, Diagnostics> {
     let mut still = plain(&Diagnostic::file(Severity::Error, scene, ""), defines.iter())?;
     let (mut files, mut diagnostics) = (Vec::new(), Diagnostics::default());
-    let file = Reading { assets, files: &mut files, diagnostics: &mut diagnostics }.scene(scene, &still.defines);
+    let mut reading = Reading { assets, files: &mut files, diagnostics: &mut diagnostics, animated: true };
+    let file = reading.scene(scene, &still.defines);
     if diagnostics.has_errors() {
         return Err(diagnostics);
     }
     let Some(Animation { frames, fps, tracks }) = file.and_then(|file| file.animation) else { return Ok(None) };
-    // What was said of frames has been heard: a picture does not follow from it.
-    let about_frames = |define: &Define| define.path.split('.').next() == Some("animate");
-    if still.defines.iter().any(about_frames) {
-        still.defines.retain(|define| !about_frames(define));
-        still.defines.push(Define::given("animate", "None"));
-    }
+    // Of what is said about time, no picture follows.
+    still.defines.retain(|define| define.path.split('.').next() != Some("animate"));
     let columns: Vec<(&str, &Diagnostic)> = tracks.iter().map(|track| (track.path.as_str(), &track.place)).collect();
     refuse_overlaps(&columns, "one would write over the other: give keys to one of them")?;
     let digits = (frames - 1).to_string().len().max(4);

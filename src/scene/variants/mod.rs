@@ -38,6 +38,6 @@ pub fn load(
 ) -> (Result<Loaded, Diagnostics>, Vec<PathBuf>) {
     match &member.wrong {
         Some(wrong) => (Err(wrong.clone().into()), Vec::new()),
-        None => attempt_in(family.scene_of(member), &member.defines, loading, assets),
+        None => attempt_in(family.scene_of(member), &member.defines, false, loading, assets),
     }
 }

@@ -151,10 +151,11 @@ fn shoot(
         return Err(EngineError::EmptyFilm);
     }
     let (sky, geometry) = (&packed.sky, &packed.geometry);
+    let [low, high] = [geometry.low, geometry.high].map(|corner| (corner - geometry.origin).as_vec3());
     let radius = 0.5 * (geometry.high - geometry.low).length();
     let points = packed.lights.rows().iter().rev().map_while(LightRecord::point);
     let brightest = environment
-        .max(Vec3::splat(sky.brightest.max(point::brightest(points, radius))))
+        .max(Vec3::splat(sky.brightest.max(point::brightest(points, low, high))))
         .max(sun.map_or(Vec3::ZERO, |sun| sun.radiance));
     let exponent = film_exponent(largest_emission(
         packed.records.rows(),
