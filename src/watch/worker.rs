@@ -128,9 +128,10 @@ impl Worker {
 
     /// Sends, and wakes the driver. False if nobody takes it.
     fn send(&self, news: News) -> bool {
-        // Before it is sent, or it could be taken up before it is said to wait.
+        // Before it is sent, or it could be taken up before it is said to wait; and behind that, for who looked in between found nothing.
         self.waits.store(true, Ordering::Release);
         let sent = self.news.send(news).is_ok();
+        self.waits.store(true, Ordering::Release);
         (self.wake)();
         sent
     }

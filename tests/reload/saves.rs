@@ -2,31 +2,12 @@
 
 use std::fs;
 use std::io::Write;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use super::{Bench, MTL};
+use super::{Bench, MTL, SETTLED, save_quickly};
 use crate::support::patience::Patience;
 
 const FILE: &str = "shaders/passes/display/display.wgsl";
-
-/// Longer than a burst, and than the patience with half-saved files.
-const SETTLED: Duration = Duration::from_millis(800);
-
-/// A save that takes longer than this, on a busy machine, may be taken for two.
-const QUICK: Duration = Duration::from_millis(300);
-
-/// Saves, and saves again if that was not quick. What is written is another text each time: `save` is told how often it was tried.
-fn save_quickly(bench: &mut Bench, mut save: impl FnMut(usize)) {
-    for tried in 0..100 {
-        let begin = Instant::now();
-        save(tried);
-        if begin.elapsed() < QUICK {
-            return;
-        }
-        bench.count_for(SETTLED);
-    }
-    panic!("this machine is too busy to save a file");
-}
 
 #[test]
 fn each_way_of_saving_is_one_reload() {
