@@ -13,22 +13,22 @@ use crate::rooms::{Room, matte};
 use crate::support;
 
 /// A floor of 2 x 2 with a camera that sees one point of it, and a square light of a side, tilted, that faces it from one side.
-struct Lamp {
-    centre: DVec3,
-    normal: DVec3,
-    side: f64,
-    one_sided: bool,
-    emission: f32,
+pub struct Lamp {
+    pub centre: DVec3,
+    pub normal: DVec3,
+    pub side: f64,
+    pub one_sided: bool,
+    pub emission: f32,
 }
 
-const OVERHEAD: Lamp =
+pub const OVERHEAD: Lamp =
     Lamp { centre: DVec3::new(0.3, 0.8, 0.1), normal: DVec3::NEG_Y, side: 2e-6, one_sided: false, emission: 7.0 };
 
 pub const ALBEDO: f32 = 0.5;
 pub const SEEN: DVec3 = DVec3::new(0.1, 0.0, -0.2);
 
 impl Lamp {
-    fn room(&self) -> Room {
+    pub fn room(&self) -> Room {
         let mut room = Room { next_event: true, ..Room::default() };
         let floor = room.material(matte(Vec3::splat(ALBEDO), Vec3::ZERO));
         let glow = Material { emission: Vec3::splat(self.emission), one_sided: self.one_sided, ..Material::BLACK };
@@ -42,7 +42,7 @@ impl Lamp {
     }
 
     /// E = L A cos cos / d^2, reflected by a Lambert surface, of the quad as single precision has it.
-    fn reflected(&self, room: &Room) -> f64 {
+    pub fn reflected(&self, room: &Room) -> f64 {
         let corners = |i: usize| [room.triangles[i].a, room.triangles[i].b, room.triangles[i].c].map(|v| v.as_dvec3());
         let of_triangle = |[a, b, c]: [DVec3; 3]| {
             let (raw, to_light) = (0.5 * (b - a).cross(c - a), (a + b + c) / 3.0 - SEEN);

@@ -19,8 +19,8 @@ use crate::layout::light::LightTable;
 use crate::layout::sky::SkyTable;
 use crate::layout::texture::{CUTOUT_DIMENSIONS, MaterialMaps, TEXTURE_DIMENSIONS, TEXTURE_DIMENSIONS_PER_BOUNCE};
 use crate::layout::trace::{
-    DIMENSIONS_PER_BOUNCE, LENS_DIMENSIONS, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MaterialRecord, ROULETTE_BOUNCE,
-    SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, SampleKey, Shading, TraceParams,
+    DIMENSIONS_PER_BOUNCE, LENS_DIMENSIONS, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MATERIAL_THIN, MaterialRecord,
+    ROULETTE_BOUNCE, SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, SampleKey, Shading, TraceParams,
 };
 use crate::layout::tree::Triangle;
 
@@ -77,6 +77,8 @@ impl<'a> PathScene<'a> {
         let (mut origin, mut direction) = camera_ray(params, at, || self.sampler.sample_2d(key, LENS_DIMENSIONS));
         let mut throughput = DVec3::ONE;
         let mut pdf = 0.0;
+        // From where that was drawn, through surfaces that were passed straight on.
+        let mut passed = 0.0;
         let mut eta_scale = 1.0;
         let mut cone = Cone { width: 0.0, spread: params.cone_spread.into() };
         let sampler = self.light_sampler(params);
@@ -98,8 +100,9 @@ impl<'a> PathScene<'a> {
             let texturing = self.texturing(&hit, cone, direction, (key, bounce));
             let frame = self.frame(&hit, -direction, &texturing);
             if !(frame.back_face && material.flags & MATERIAL_ONE_SIDED != 0) {
-                let pdf_of =
-                    |sampler: &LightSampler| sampler.light_pdf(hit.triangle.index, area_normal, direction, hit.t);
+                let pdf_of = |sampler: &LightSampler| {
+                    sampler.light_pdf(hit.triangle.index, area_normal, direction, passed + hit.t)
+                };
                 let weight = weight_of_finding(pdf, sampler.as_ref().and_then(pdf_of));
                 let point = match pdf > 0.0 {
                     true => self.textures.point(hit.triangle.index, hit.b),
@@ -142,7 +145,13 @@ impl<'a> PathScene<'a> {
             let curvature = self.textures.uvs.get(hit.triangle.index as usize).map_or(0.0, |uvs| uvs.curvature.into());
             cone = cone.spread_by(hit.t, curvature, &frame, &drawn, params.cone_part.into());
             origin = position;
-            (direction, pdf) = (drawn.direction, drawn.pdf);
+            // What light sampling passes as well is weighted as if nothing were there.
+            let straight = surface.lets_through() && drawn.pdf == 0.0 && drawn.direction == direction;
+            (pdf, passed) = match straight && !is_bent(material, &texturing.maps) {
+                true => (pdf, passed + hit.t),
+                false => (drawn.pdf, 0.0),
+            };
+            direction = drawn.direction;
         }
         traced
     }
@@ -251,8 +260,7 @@ impl<'a> PathScene<'a> {
         Connection { from, light: at.value * from.radiance * share }
     }
 
-    /// The part of a light that arrives: all or nothing of one that is the first thing in its direction or not, and of a point what goes straight
-    /// on through up to so many surfaces before it.
+    /// The part of a light that arrives: what goes straight on through up to so many surfaces before it.
     fn seen_part(
         &self,
         position: DVec3,
@@ -262,29 +270,34 @@ impl<'a> PathScene<'a> {
         rays: &mut u32,
     ) -> DVec3 {
         let (mut origin, mut part) = (position, DVec3::ONE);
-        let mut left = light.point_distance.map(|distance| distance * (1.0 - 1e-9));
+        // To a point, which no ray hits.
+        let mut left = light.point_distance.map_or(f64::INFINITY, |distance| distance * (1.0 - 1e-9));
         loop {
             let hit = self.first_hit(origin, light.direction, key, rays);
-            let (Some(hit), Some(distance)) = (&hit, &mut left) else {
-                let seen = hit.map(|hit| hit.triangle.index) == light.triangle;
-                return if seen { part } else { DVec3::ZERO };
-            };
-            if hit.t >= *distance {
+            let hit = hit.filter(|hit| hit.t < left);
+            if hit.as_ref().map(|hit| hit.triangle.index) == light.triangle {
                 return part;
             }
-            if passes == 0 {
+            let Some(hit) = hit.filter(|_| passes > 0) else { return DVec3::ZERO };
+            let (material, maps) = (hit.triangle.material, self.textures.maps(hit.triangle.material));
+            let material = &self.materials[material as usize];
+            if light.point_distance.is_none() && is_bent(material, &maps) {
                 return DVec3::ZERO;
             }
-            let frame = self.mesh_frame(hit, -light.direction);
-            part *= Reflection::from(&self.materials[hit.triangle.material as usize]).passed_straight(&frame);
+            part *= Reflection::from(material).passed_straight(&self.mesh_frame(&hit, -light.direction));
             if part == DVec3::ZERO {
                 return part;
             }
             passes -= 1;
             origin += hit.t * light.direction;
-            *distance -= hit.t;
+            left -= hit.t;
         }
     }
+}
+
+/// Whether a relief bends the normal by which a surface lets light pass.
+fn is_bent(material: &MaterialRecord, maps: &MaterialMaps) -> bool {
+    material.flags & MATERIAL_THIN != 0 && maps.relief != 0
 }
 
 /// A triangle's normal by its winding.

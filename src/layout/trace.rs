@@ -70,12 +70,13 @@ gpu_struct! {
         /// Rays traced so far.
         pub rays: u32,
         pub key: SampleKey,
-        /// 1 where `radiance` is not that but the number that went wrong.
-        pub faulty: u32,
-        /// The material it went wrong at, or [`NO_MATERIAL`].
-        pub fault_material: u32,
-        /// Density by solid angle with which the direction was drawn; 0 where it could have been no other.
+        /// Above 0 where `radiance` is not that but the number that went wrong: 1 + the material it went wrong at, or [`NO_MATERIAL`].
+        pub fault: u32,
+        /// Density by solid angle with which the direction was drawn, before surfaces that it passed straight on; 0 where it could have been no
+        /// other.
         pub pdf: f32,
+        /// From where it was drawn to the ray's origin: what it has passed straight on.
+        pub passed: f32,
         /// What undoes, for the chance to survive roulette, that radiance is squeezed in dense media: the index of refraction around
         /// the path, squared.
         pub eta_scale: f32,

@@ -232,6 +232,19 @@ fn what_a_coat_reflects_is_the_integral_or_a_little_more() {
     }
 }
 
+/// Where light grazes as well: a base under more than that would send out negative light.
+#[test]
+fn a_coat_reflects_no_more_than_all() {
+    for roughness in (0..=1000).map(|i| f64::from(i) / 1000.0) {
+        let coat = Coat { amount: 1.0, alpha: (roughness > 0.01).then(|| roughness.powi(2)) };
+        for cos in (0..400).map(|i| 10f64.powf(-8.0 + f64::from(i) / 50.0)) {
+            let (reflected, left) =
+                (coat.reflectance(cos), coat.over_diffuse(cos, cos).min(coat.over_specular(cos, 1.0)));
+            assert!((0.0..=1.0).contains(&reflected) && left >= 0.0, "{roughness}, {cos:e}: {reflected}, {left} left");
+        }
+    }
+}
+
 #[test]
 fn the_mean_of_what_is_reflected_is_one() {
     for roughness in ROUGHNESSES {

@@ -230,6 +230,21 @@ pub fn glass_ball(render: Render) -> Scene {
     ball_of(render, material, maps)
 }
 
+/// A grey wall under the lamp, with panes between the two: of one half of the lamp a pane with relief, of the other a plain one.
+pub fn skylight(render: Render) -> Scene {
+    let mut scene = Scene::new(8, render);
+    scene.lamp(Vec3::new(5.0, 4.5, 4.0), Textures::default());
+    let grey = Material { diffuse: Vec3::splat(0.7), ..Material::default() };
+    scene.part("wall", patch(0, 1, [Vec2::ZERO, Vec2::ONE]), DAffine3::IDENTITY, grey, Textures::default());
+    let pane = Material { passage: Passage::Pane(1.5), filter: Vec3::new(0.7, 0.9, 1.0), ..Material::BLACK };
+    let relief = Textures { relief: Some(heights([12, 7], 0.6)), ..Textures::default() };
+    for (name, x, maps) in [("wavy", -2.8, relief), ("plain", 0.2, Textures::default())] {
+        let mesh = quad(Vec3::new(x, 1.3, 3.0), 3.0 * Vec3::X, -4.0 * Vec3::Z, [Vec2::ZERO, Vec2::splat(3.0)]);
+        scene.part(name, mesh, DAffine3::IDENTITY, pane.clone(), maps);
+    }
+    scene
+}
+
 /// A smooth ball, turned, stretched and mirrored, below the lamp.
 fn ball_of(render: Render, material: Material, maps: Textures) -> Scene {
     let mut scene = Scene::new(8, render);

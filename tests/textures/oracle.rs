@@ -11,10 +11,11 @@ use lucerna::oracle::Oracle;
 use lucerna::shader::Library;
 use lucerna::{Engine, scene};
 
-use super::board::{COLUMNS, Scene, ball, glass_ball, wall};
+use super::board::{COLUMNS, Scene, ball, glass_ball, skylight, wall};
 use super::leaves::{self, leaves};
 use crate::statistics::{BATCHES, Pairs, agree};
 use crate::support;
+use crate::support::plant::planted;
 
 /// The means of a batch over the blocks of a picture.
 type Blocks = Vec<DVec3>;
@@ -191,6 +192,24 @@ fn relief_on_glass_equals_the_oracle() {
     assert_eq!(seeing(1.01, &films, &rights, "the ball of glass"), 4);
     let films = ours(&mut engine, &with(&scene, inside_out), 2, spp);
     assert!(differing(&differences(&films, &rights), "inside out") > 0, "heights inside out went unnoticed");
+}
+
+#[test]
+fn panes_with_and_without_relief_equal_the_oracle() {
+    let spp = if support::stress() { 16_384 } else { 2048 };
+    let scene = skylight(Render { max_depth: 4, ..render(Integrator::Path) });
+    let rights = right(&scene, 2, spp);
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &scene.description).unwrap();
+    let films = ours(&mut engine, &scene, 2, spp);
+    let wrong = differences(&films, &rights);
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert_eq!(seeing(1.01, &films, &rights, "the wall under panes"), 4);
+    // Sampled straight through a pane of relief, light is that of a plain one.
+    let path = "passes/trace/path";
+    let library = planted(path, "passes = passes && !bent;", "passes = passes || bent;");
+    let mut engine = Engine::open(support::gpu(), library, &scene.description).unwrap();
+    let films = ours(&mut engine, &scene, 2, spp);
+    assert!(differing(&differences(&films, &rights), "straight through relief") > 0, "it went unnoticed");
 }
 
 /// Valleys for hills.

@@ -43,11 +43,12 @@ fn coat_roughness_gain(alpha: f32, cos_theta: f32) -> f32 {
 
 // E: the part of the light from a direction, by its cosine, that the coat reflects.
 fn coat_reflectance(m: MaterialRecord, cos_theta: f32) -> f32 {
-    var reflectance = m.coat * coat_fresnel(cos_theta);
+    var reflectance = coat_fresnel(cos_theta);
     if (m.coat_alpha > 0.0) {
-        reflectance *= coat_roughness_gain(m.coat_alpha, cos_theta);
+        // The fit is above 1 where light grazes.
+        reflectance = min(reflectance * coat_roughness_gain(m.coat_alpha, cos_theta), 1.0);
     }
-    return reflectance;
+    return m.coat * reflectance;
 }
 
 // Its mean over all directions, by their cosine; of a rough coat at most 0.0006 too little.

@@ -3,6 +3,8 @@
 //
 // begin, extend, shade and connect are functions over one path state, and the entry point composes them.
 
+@if(thin && relief) import package::gen::{MATERIAL_THIN, MaterialMaps};
+@if((lights || sky_light) && thin && relief) import package::passes::trace::textures::{load_maps};
 import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
 import package::gen::{Hit, Ray, Triangle, NO_CHANCE, NO_HIT, T_FAR};
 import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
@@ -15,7 +17,8 @@ import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
 import package::lib::bsdf::frame::{ShadingFrame};
 import package::lib::bsdf::mixture::{mixture_sample};
 @if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
-@if(lights && point_lights && (alpha || thin)) import package::lib::bsdf::straight::{passed_straight};
+@if(alpha || thin) import package::lib::bsdf::straight::{is_straight};
+@if((lights || sky_light) && (alpha || thin)) import package::lib::bsdf::straight::{lets_through, passed_straight};
 @if(lens) import package::gen::{LENS_DIMENSIONS};
 @if(!lens) import package::lib::camera::{camera_direction};
 @if(lens) import package::lib::camera::{lens_ray};
@@ -58,8 +61,7 @@ fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
 fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, material: u32) -> bool {
     let good = all(bitcast<vec3<u32>>(value) <= vec3<u32>(bitcast<u32>(largest)));
     if (!good) {
-        (*state).faulty = 1u;
-        (*state).fault_material = material;
+        (*state).fault = 1u + material;
         (*state).radiance = value;
     }
     return good;
@@ -181,7 +183,17 @@ fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
             (*state).cone_spread = spread_by(*state, surface.curvature, drawn, params.cone_part);
         }
         (*state).direction = drawn.direction;
-        (*state).pdf = drawn.pdf;
+        @if(alpha || thin) {
+            var straight = is_straight(surface.material, surface.frame.wo, drawn);
+            @if(thin && relief) {
+                straight = straight && !surface.bent;
+            }
+            // Light sampling goes straight on there too: what lies behind is weighted as if nothing were in between.
+            (*state).pdf = select(drawn.pdf, (*state).pdf, straight);
+            (*state).passed = select(0.0, (*state).passed + surface.t, straight);
+        } @else {
+            (*state).pdf = drawn.pdf;
+        }
         (*state).bounce += 1u;
     }
     return alive;
@@ -199,8 +211,10 @@ struct Connection {
     light: vec3<f32>,
     // The light's triangle, or NO_HIT.
     triangle: u32,
-    // How many surfaces it may yet pass: none, but on the way to a point light.
-    @if(lights && point_lights && (alpha || thin)) passes: u32,
+    // How many surfaces it may yet pass straight on.
+    @if(alpha || thin) passes: u32,
+    // To a light without extent.
+    @if(lights && point_lights && thin && relief) to_point: bool,
 }
 
 // Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by scatter().
@@ -230,26 +244,36 @@ fn connect(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
         let far = max(length(offset), 0x1p-100);
         connection.ray = Ray(origin, 0.0, offset / far, far * drawn.end);
         connection.enough = far * (1.0 - AROUND_LIGHT);
-        @if(lights && point_lights && (alpha || thin)) {
-            if (is_point(drawn)) {
-                // What comes first may let it pass, as often as a path could pass on its way to another light.
-                connection.enough = 0.0;
-                connection.passes = params.max_depth - 2u - (*state).bounce;
-            }
+    }
+    @if(alpha || thin) {
+        // What comes first may let it pass, as often as a path of this depth could.
+        connection.enough = 0.0;
+        connection.passes = params.max_depth - 2u - (*state).bounce;
+        @if(lights && point_lights && thin && relief) {
+            connection.to_point = is_point(drawn);
         }
     }
     return connection;
 }
 
-// Takes a shadow ray to a point light on through what it has hit, weighted by what goes straight on there; whether anything does. Other lights
-// behind a pane are found by paths through it. A relief turns nothing that passes, and is not looked at.
-@if(lights && point_lights && (alpha || thin))
+// Takes a shadow ray on through what it has hit, weighted by what goes straight on there; whether anything does. A relief would change what a
+// pane lets through: there, lights but points are left to paths.
+@if((lights || sky_light) && (alpha || thin))
 fn pass_straight(connection: ptr<function, Connection>, hit: Hit) -> bool {
     let ray = (*connection).ray;
-    if ((*connection).passes == 0u || hit.triangle == NO_HIT) {
+    let triangle = load_leaf(hit.leaf);
+    let material = load_material(triangle.material);
+    var passes = (*connection).passes > 0u && lets_through(material);
+    @if(thin && relief) {
+        var bent = is_bent(material, load_maps(triangle.material));
+        @if(lights && point_lights) {
+            bent = bent && !(*connection).to_point;
+        }
+        passes = passes && !bent;
+    }
+    if (!passes) {
         return false;
     }
-    let triangle = load_leaf(hit.leaf);
     let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
     var frame = shading_frame_at(triangle, hit, area_normal, -ray.direction);
     @if(normals || relief) {
@@ -258,10 +282,16 @@ fn pass_straight(connection: ptr<function, Connection>, hit: Hit) -> bool {
     let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
     let origin = offset_ray_origin(at.position, at.error, frame.geometric, ray.direction);
     let t_max = ray.t_max - dot(origin - ray.origin, ray.direction);
-    (*connection).light *= passed_straight(load_material(triangle.material), dot(frame.wo, frame.shading));
+    (*connection).light *= passed_straight(material, dot(frame.wo, frame.shading));
     (*connection).passes -= 1u;
     (*connection).ray = Ray(origin, 0.0, ray.direction, t_max);
     return largest_of((*connection).light) > 0.0 && t_max > 0.0;
+}
+
+// Whether a relief bends the normal by which a surface lets light pass.
+@if(thin && relief)
+fn is_bent(material: MaterialRecord, maps: MaterialMaps) -> bool {
+    return (material.flags & MATERIAL_THIN) != 0u && maps.relief != 0u;
 }
 
 // The surface at the end of a ray.
@@ -277,6 +307,7 @@ struct Surface {
     t: f32,
     // By how much the shading normal turns along a unit of length.
     @if(textures || relief || emission_map) curvature: f32,
+    @if(thin && relief) bent: bool,
 }
 
 // `material` is that of the point, whatever its textures are.
@@ -309,7 +340,11 @@ fn incident_radiance(state: ptr<function, PathState>, hit: Hit, material: Materi
         }
         @if(lights) {
             if ((*state).pdf > 0.0) {
-                light *= power_heuristic((*state).pdf, light_pdf(params, material, mean, area_normal, (*state).direction, hit.t));
+                var distance = hit.t;
+                @if(alpha || thin) {
+                    distance += (*state).passed;
+                }
+                light *= power_heuristic((*state).pdf, light_pdf(params, material, mean, area_normal, (*state).direction, distance));
             }
         }
     }
@@ -363,6 +398,9 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
         var surface = surface_at(triangle, hit, material, frame);
         let u = sample_4d((*state).key, dimension(state, SLOT_CHOICES));
         var choices = Choices(u.x, u.y, u.z, 0.0);
+        @if(thin && relief) {
+            surface.bent = is_bent(material, texturing.maps);
+        }
         @if(textures || relief || emission_map) {
             surface.curvature = texturing.curvature;
             choices.texel = texturing.others.z;
@@ -379,9 +417,9 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
 
 // What a path that has ended leaves for the film.
 fn finish(state: ptr<function, PathState>) -> RadianceSample {
-    if ((*state).faulty != 0u) {
+    if ((*state).fault != 0u) {
         let kind = fault_of((*state).radiance);
-        let origin = vec3<u32>(select(kind, BAD_OVERFLOW, kind == 0u), (*state).bounce, (*state).fault_material);
+        let origin = vec3<u32>(select(kind, BAD_OVERFLOW, kind == 0u), (*state).bounce, (*state).fault - 1u);
         return RadianceSample(vec3<f32>(origin), (*state).rays | SAMPLE_BAD);
     }
     return RadianceSample((*state).radiance, (*state).rays);
@@ -401,24 +439,25 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
         var alive = true;
         var connection: Connection;
         var most = 2u * params.max_depth;
-        @if(lights && point_lights && (alpha || thin)) {
+        @if(alpha || thin) {
             most += params.max_depth * params.max_depth / 2u;
         }
         for (var i = 0u; i < most; i++) {
             let hit = extend(&state, ray, extent, select(0.0, connection.enough, is_shadow_ray));
             if (is_shadow_ray) {
-                is_shadow_ray = false;
-                if (hit.triangle == connection.triangle || hit.triangle == NO_HIT) {
+                let seen = hit.triangle == connection.triangle || hit.triangle == NO_HIT;
+                if (seen) {
                     alive = add_radiance(&state, connection.light, NO_MATERIAL) && alive;
                 }
-                @if(lights && point_lights && (alpha || thin)) {
-                    is_shadow_ray = pass_straight(&connection, hit);
+                is_shadow_ray = false;
+                @if(alpha || thin) {
+                    is_shadow_ray = !seen && pass_straight(&connection, hit);
                 }
             } else {
                 let shaded = shade(&state, hit);
                 alive = shaded.alive;
                 connection = shaded.connection;
-                is_shadow_ray = state.faulty == 0u && largest_of(connection.light) > 0.0;
+                is_shadow_ray = state.fault == 0u && largest_of(connection.light) > 0.0;
             }
             if (!alive && !is_shadow_ray) {
                 break;

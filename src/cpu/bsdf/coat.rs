@@ -44,7 +44,8 @@ impl Coat {
             let y = cos * (1.0 + 4.0 * alpha) / (cos + 4.0 * alpha);
             polynomial(y, &GAIN.map(|row| polynomial(alpha.sqrt(), &row)))
         });
-        self.amount * gain * Self::fresnel(cos)
+        // The fit is above 1 where light grazes.
+        self.amount * (gain * Self::fresnel(cos)).min(1.0)
     }
 
     /// The mean of that over all directions, by their cosine.

@@ -198,6 +198,11 @@ impl Reflection {
         }
     }
 
+    /// Whether any light passes without a turn.
+    pub fn lets_through(&self) -> bool {
+        self.transparency > 0.0 || self.pane.is_some()
+    }
+
     /// The part of the light that passes without a turn.
     pub fn passed_straight(&self, frame: &ShadingFrame) -> DVec3 {
         let pane = self.pane.map_or(DVec3::ZERO, |ni| pane::split(ni, self.tf, frame.wo.dot(frame.shading))[1]);
