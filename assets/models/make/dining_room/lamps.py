@@ -15,7 +15,7 @@ def ball(radius, rows=12):
 
 
 def pendant(scene):
-    """A shade of enamel, green without and white within, closed at its rim; a frosted bulb reaches below half of it."""
+    """A shade of enamel, green without and white within, closed at its rim by a bowl of opal glass that shines."""
     x, y, z = PENDANT
     outside = [(0.205, 0.0), (0.203, 0.02), (0.19, 0.06), (0.16, 0.105), (0.115, 0.145), (0.07, 0.17), (0.045, 0.182), (0.034, 0.2), (0.03, 0.235)]
     inside = [(0.029, 0.233), (0.033, 0.198), (0.044, 0.178), (0.068, 0.166), (0.112, 0.141), (0.156, 0.102), (0.186, 0.058), (0.199, 0.02), (0.201, 0.0)]
@@ -26,12 +26,11 @@ def pendant(scene):
     scene.put("pendant", finish("brass", lathe(rim), smooth=80), at)
     cap = [(0.0, 0.225), (0.032, 0.225), (0.034, 0.235), (0.03, 0.255), (0.012, 0.27), (0.008, 0.3), (0, 0.3)]
     scene.put("pendant", finish("brass", lathe(cap), smooth=50), at)
-    socket = [(0, 0.13), (0.02, 0.13), (0.022, 0.14), (0.022, 0.21), (0, 0.21)]
-    scene.put("pendant", finish("brass", lathe(socket), smooth=50), at)
     scene.put("pendant", finish("iron", tube([(x, y + 0.29, z), (x, HEIGHT - 0.01, z)], 0.0035, 8, (0, 0, 1)), smooth=60))
     rose = [(0, -0.03), (0.02, -0.028), (0.05, -0.016), (0.055, 0.0), (0.0, 0.001)]
     scene.put("pendant", finish("brass", lathe(rose), smooth=50), turn(at=(x, HEIGHT, z)))
-    scene.put("pendant_bulb", finish("pendant_light", ball(0.07).moved(0, 0.07, 0), smooth=80), at)
+    bowl = [(0.1985 * np.sin(a), 0.008 - 0.03 * np.cos(a)) for a in np.linspace(0, np.pi / 2, 7)]
+    scene.put("pendant_bowl", finish("pendant_light", lathe([(0.0, bowl[0][1])] + bowl[1:]), smooth=80), at)
 
 
 def table_lamp(scene):

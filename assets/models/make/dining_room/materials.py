@@ -63,7 +63,7 @@ TEXTURED = [
 
 # Name, Ke, and further statements.
 LIGHTS = [
-    ("pendant_light", (30, 21, 12)),
+    ("pendant_light", (7.4, 4.8, 2.5)),
     ("shade_light", (0.34, 0.21, 0.1), "map_Ke shade.jpg"),
     ("shade_bulb", (34, 23, 12.5)),
     ("flame", (0.4, 0.2, 0.05)),
