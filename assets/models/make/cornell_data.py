@@ -36,7 +36,7 @@ def block(obj, name, top, height):
 
 
 def main():
-    obj = Obj(["The Cornell box by its measured data. Made by make/cornell_data.py."], "cornell-data.mtl")
+    obj = Obj(["The Cornell box by its measured data. Made by make/cornell_data.py."], "cornell-data.mtl", smooth=False)
     for name, material, corners in QUADS:
         obj.object(name, material)
         obj.face(corners[:3])

@@ -20,11 +20,12 @@ def printed(vector, form):
 
 class Obj:
     """Collects objects; what prints alike is written once. `position`, `uv` and `normal` are formats of numbers: six significant
-    digits, where nothing else is said. With `flat`, normals that are a polygon's own are left out."""
+    digits, where nothing else is said. A polygon without normals, or whose normals are nearly its own, gets its own to five digits: where some
+    have normals, programs smooth those that have none. Not so with `smooth=False`, where none has any."""
 
-    def __init__(self, comment, library, position="%.6g", uv="%.6g", normal="%.6g", flat=False):
+    def __init__(self, comment, library, position="%.6g", uv="%.6g", normal="%.6g", smooth=True):
         self.lines = ["# " + line for line in comment] + ["mtllib " + library]
-        self.flat = flat
+        self.smooth = smooth
         self.forms = {"v": position, "vt": uv, "vn": normal}
         self.known = {kind: {} for kind in self.forms}
         self.triangles = 0
@@ -44,8 +45,8 @@ class Obj:
         polygon, or is there already, is left out. One of more than four corners is cut where a fan would not cover it.
         `normal` is the format of these normals."""
         form, corners = normal or self.forms["vn"], {}
-        if self.flat and normals is not None and is_flat(positions, normals, form):
-            normals = None
+        if self.smooth and (normals is None or is_flat(positions, normals, form)):
+            normals, form = own_normals(positions), "%.5g"
         for k, position in enumerate(positions):
             v = self._index("v", position, self.forms["v"])
             vt = self._index("vt", uvs[k], self.forms["vt"]) if uvs is not None else ""
@@ -88,6 +89,13 @@ def normal_of(points):
     for a, b in zip(points[1:-1], points[2:]):
         out = add(out, cross(sub(a, points[0]), sub(b, points[0])))
     return out
+
+
+def own_normals(points):
+    """A polygon's unit normal at each of its corners."""
+    n = normal_of(points)
+    size = dot(n, n) ** 0.5 or 1.0
+    return [tuple(c / size for c in n)] * len(points)
 
 
 def is_flat(points, normals, form):

@@ -8,7 +8,7 @@ POLISHED = {"glass", "silver", "plate", "enamel", "glaze_blue", "glaze_white"}
 
 
 def write(scene, path, library, textured):
-    obj = Obj(["A dining room. Metres, y up. Made by make/dining_room/main.py."], library, "%.4f", "%.3f", "%.2f", flat=True)
+    obj = Obj(["A dining room. Metres, y up. Made by make/dining_room/main.py."], library, "%.4f", "%.3f", "%.2f")
     for group, meshes in scene.groups.items():
         material = None
         for mesh in sorted(meshes, key=lambda m: m.material):

@@ -110,7 +110,7 @@ ROUGH = {"tyre", "leather_dark", "alcantara", "lining", "gap_black", "carpet", "
 
 
 def write(path, comment, library, parts, position="%.4f"):
-    obj = Obj(comment, library, position, "%.3f", "%.3f", flat=True)
+    obj = Obj(comment, library, position, "%.3f", "%.3f")
     for part in parts:
         obj.object(part.name, part.material)
         points, normals = part.points.tolist(), part.normals.tolist()
