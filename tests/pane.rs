@@ -125,13 +125,13 @@ fn light_behind_panes_equals_the_f64_twin() {
 #[test]
 fn an_error_in_what_panes_let_through_is_seen() {
     let room = Room { next_event: true, ..conservatory(20.0, 0.02) };
-    let path = "passes/trace/path";
+    let (path, shadow) = ("passes/trace/path", "passes/trace/shadow");
     let mistakes = [
-        (path, "(*connection).light *= passed_straight(", "(*connection).light *= 1.02 * passed_straight("),
-        (path, "params.max_depth - 2u - (*state).bounce", "0u"),
+        (shadow, "(*connection).light *= passed_straight(", "(*connection).light *= 1.02 * passed_straight("),
+        (shadow, "params.max_depth - 2u - state.bounce", "0u"),
         (path, "select(drawn.pdf, (*state).pdf, straight)", "drawn.pdf"),
         (path, "distance += (*state).passed;", "distance += 0.0;"),
-        (path, "connection.enough = 0.0;", "connection.enough *= 1.0;"),
+        (shadow, "connection.enough = 0.0;", "connection.enough *= 1.0;"),
         ("lib/bsdf/straight", "all(drawn.direction == -wo)", "true"),
     ];
     sees_mistakes(&room, &mistakes);

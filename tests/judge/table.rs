@@ -45,6 +45,8 @@ const fn gross(name: &'static str, changes: &'static [Change<'static>]) -> Edit 
 }
 
 const PATH: &str = "passes/trace/path";
+const SHADOW: &str = "passes/trace/shadow";
+const SURFACE: &str = "passes/trace/surface";
 const CONNECT: &str = "passes/trace/connect";
 const LAMBERT: &str = "lib/bsdf/lambert";
 const PHONG: &str = "lib/bsdf/phong";
@@ -58,14 +60,14 @@ const SURVIVAL: &str = "largest_of((*state).throughput) * (*state).eta_scale";
 pub const WRONG: &[Edit] = &[
     gross("half of diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.5 * INV_PI * cos_theta)")]),
     edit("1 % less diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.99 * INV_PI * cos_theta)")]),
-    edit("half of the light that is sampled", &[change(PATH, "drawn.radiance *", "0.5 * drawn.radiance *")]),
-    edit("1 % more of it", &[change(PATH, "drawn.radiance *", "1.01 * drawn.radiance *")]),
-    edit("no weight of light that is sampled", &[change(PATH, SAMPLED, "var weight = 1.0;")]),
+    edit("half of the light that is sampled", &[change(SHADOW, "drawn.radiance *", "0.5 * drawn.radiance *")]),
+    edit("1 % more of it", &[change(SHADOW, "drawn.radiance *", "1.01 * drawn.radiance *")]),
+    edit("no weight of light that is sampled", &[change(SHADOW, SAMPLED, "var weight = 1.0;")]),
     edit("no weight of light that is found", &[change(PATH, FOUND, "light *= 1.0;")]),
     edit("weights that do not add up to 1", &[change(LIGHT, "1.0 + ratio * ratio", "1.0 + 0.5 * ratio * ratio")]),
     edit("a diffuse pdf of even directions", &[change(LAMBERT, "return INV_PI * cos_theta", "return 0.5 * INV_PI")]),
     edit("a diffuse pdf 1 % too low", &[change(LAMBERT, "return INV_PI *", "return 0.99 * INV_PI *")]),
-    gross("the wrong side", &[change(PATH, "select(unit, -unit, back_face)", "select(-unit, unit, back_face)")]),
+    gross("the wrong side", &[change(SURFACE, "select(unit, -unit, back_face)", "select(-unit, unit, back_face)")]),
     edit("roulette without its due", &[change(PATH, "(*state).throughput /= survival;", "")]),
     edit("1 % more after each bounce", &[change(PATH, "/= survival", "/= 0.99 * survival")]),
     edit("paths of three segments", &[change(PATH, "1u < params.max_depth", "1u < min(3u, params.max_depth)")]),
@@ -112,20 +114,27 @@ pub const RIGHT: &[Edit] = &[
         &[change(PATH, SURVIVAL, "0.5 + 0.5 * largest_of((*state).throughput) * (*state).eta_scale")],
     ),
     edit("harsher roulette", &[change(PATH, SURVIVAL, "0.5 * largest_of((*state).throughput) * (*state).eta_scale")]),
-    edit("light is found and never sampled", &[change(PATH, FOUND, "light *= 1.0;"), change(PATH, SAMPLED, "var weight = 0.0;")]),
+    edit(
+        "light is found and never sampled",
+        &[change(PATH, FOUND, "light *= 1.0;"), change(SHADOW, SAMPLED, "var weight = 0.0;")],
+    ),
     edit(
         "half of the looks at lights, twice",
-        &[change(
-            PATH,
-            "connect(state, surface, choices);",
-            "connect(state, surface, Choices(fract(2.0 * choices.light), choices.lobe, choices.roulette, choices.texel));
+        &[
+            change(
+                PATH,
+                "connect(params, *state, surface, choices.light,",
+                "connect(params, *state, surface, fract(2.0 * choices.light),",
+            ),
+            change(
+                PATH,
+                "point, choices.texel);",
+                "point, choices.texel);
             shaded.connection.light *= select(0.0, 2.0, choices.light < 0.5);",
-        )],
+            ),
+        ],
     ),
-    edit(
-        "a light's points by the numbers swapped",
-        &[change(CONNECT, "light_weights(u);", "light_weights(u.yx);")],
-    ),
+    edit("a light's points by the numbers swapped", &[change(CONNECT, "light_weights(u);", "light_weights(u.yx);")]),
     edit("directions by the numbers swapped", &[change(MIXTURE, "cosine_angle(u.x), u.y", "cosine_angle(u.y), u.x")]),
     edit(
         "directions from the horizon up",

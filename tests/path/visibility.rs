@@ -81,10 +81,14 @@ impl Stage {
 /// The kernel with shadow rays that end 2^-16 of their length before the light, as they did once.
 fn ending_early() -> Library {
     let parts = [
-        ("offset / far, far * drawn.end)", "offset / far, far * (1.0 - 0x1p-16))"),
-        ("hit.triangle == connection.triangle || hit.triangle == NO_HIT", "hit.triangle == NO_HIT"),
+        ("passes/trace/shadow", "offset / far, far * drawn.end)", "offset / far, far * (1.0 - 0x1p-16))"),
+        (
+            "passes/trace/path",
+            "hit.triangle == connection.triangle || hit.triangle == NO_HIT",
+            "hit.triangle == NO_HIT",
+        ),
     ];
-    parts.iter().fold(Library::shipped(), |library, (right, wrong)| plant(library, "passes/trace/path", right, wrong))
+    parts.iter().fold(Library::shipped(), |library, (module, right, wrong)| plant(library, module, right, wrong))
 }
 
 /// Floats tell heights near 1 apart by 6e-8, and t by a few of that: from 1e-6 on, every cover is before its lamp.

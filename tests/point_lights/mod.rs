@@ -82,7 +82,7 @@ fn an_error_of_one_percent_is_seen() {
         ("lib/point", "return light.intensity *", "return 1.01 * light.intensity *"),
         ("lib/point", "(3.0 - 2.0 * t)", "(3.1 - 2.1 * t)"),
         ("lib/point", "light.fade_end - 0.5", "light.fade_end - 0.51"),
-        ("passes/trace/path", "select(weight, 1.0, is_point(drawn))", "select(weight, weight, is_point(drawn))"),
+        ("passes/trace/shadow", "select(weight, 1.0, is_point(drawn))", "select(weight, weight, is_point(drawn))"),
     ];
     sees_mistakes(&lit(), &mistakes);
 }

@@ -27,11 +27,11 @@ fn what_arrives_has_gone_straight_on() {
 #[test]
 fn equals_the_f64_twin() {
     both_ways_equal_the_twin(&glazed());
-    let path = "passes/trace/path";
+    let shadow = "passes/trace/shadow";
     let mistakes = [
-        (path, "params.max_depth - 2u - (*state).bounce", "0u"),
-        (path, "(*connection).light *= passed_straight(", "(*connection).light *= 1.02 * passed_straight("),
-        (path, "connection.enough = 0.0;", "connection.enough *= 1.0;"),
+        (shadow, "params.max_depth - 2u - state.bounce", "0u"),
+        (shadow, "(*connection).light *= passed_straight(", "(*connection).light *= 1.02 * passed_straight("),
+        (shadow, "connection.enough = 0.0;", "connection.enough *= 1.0;"),
     ];
     sees_mistakes(&glazed(), &mistakes);
 }

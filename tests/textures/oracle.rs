@@ -205,8 +205,7 @@ fn panes_with_and_without_relief_equal_the_oracle() {
     assert!(wrong.is_empty(), "{wrong:#?}");
     assert_eq!(seeing(1.01, &films, &rights, "the wall under panes"), 4);
     // Sampled straight through a pane of relief, light is that of a plain one.
-    let path = "passes/trace/path";
-    let library = planted(path, "passes = passes && !bent;", "passes = passes || bent;");
+    let library = planted("passes/trace/shadow", "passes = passes && !bent;", "passes = passes || bent;");
     let mut engine = Engine::open(support::gpu(), library, &scene.description).unwrap();
     let films = ours(&mut engine, &scene, 2, spp);
     assert!(differing(&differences(&films, &rights), "straight through relief") > 0, "it went unnoticed");

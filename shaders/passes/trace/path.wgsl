@@ -1,10 +1,8 @@
 // Paths from the camera: integrator `Path`, which samples a light at every surface (`lights`, `sky_light`), or `Bsdf`, which
 // finds light by hitting it. One sample of one pixel an invocation.
 //
-// begin, extend, shade and connect are functions over one path state, and the entry point composes them.
+// begin, extend, shade and scatter are functions over one path state, and the entry point composes them.
 
-@if(thin && relief) import package::gen::{MATERIAL_THIN, MaterialMaps};
-@if((lights || sky_light) && thin && relief) import package::passes::trace::textures::{load_maps};
 import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
 import package::gen::{Hit, Ray, Triangle, NO_CHANCE, NO_HIT, T_FAR};
 import package::gen::{BAD_OVERFLOW, DIMENSIONS_PER_BOUNCE, NO_MATERIAL, SAMPLE_BAD};
@@ -13,44 +11,48 @@ import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
 @if(dielectric && roulette) import package::gen::{MATERIAL_DIELECTRIC};
 @if(dielectric && roulette) import package::lib::bsdf::dielectric::{eta_squared, interface_of};
 @if(lights || sky_light) import package::gen::{SLOT_LIGHT_POINT};
-@if(normals) import package::gen::{Shading};
-import package::lib::bsdf::frame::{ShadingFrame};
 import package::lib::bsdf::mixture::{mixture_sample};
-@if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
 @if(alpha || thin) import package::lib::bsdf::straight::{is_straight};
-@if((lights || sky_light) && (alpha || thin)) import package::lib::bsdf::straight::{lets_through, passed_straight};
 @if(lens) import package::gen::{LENS_DIMENSIONS};
 @if(!lens) import package::lib::camera::{camera_direction};
 @if(lens) import package::lib::camera::{lens_ray};
 import package::lib::fault::{fault_of};
-import package::lib::intersect::{offset_ray_origin, surface_point, triangle_normal};
+import package::lib::intersect::{offset_ray_origin, triangle_normal};
 @if(emitters) import package::lib::light::{emitted};
-@if(lights || sky_light) import package::lib::light::{power_heuristic};
+@if(lights) import package::lib::light::{power_heuristic};
 import package::lib::math::{largest_of};
 import package::lib::rng::{sample_2d, sample_4d};
 @if(cutout) import package::lib::rng_pcg::{pcg_words};
-@if(normals || relief) import package::lib::normals::{bent_to_viewer, facing};
-@if(normals) import package::lib::normals::{interpolate_normal};
 @if(cutout) import package::gen::{CUTOUT_DIMENSIONS};
 @if(emission_map) import package::passes::trace::emission::{emission_part};
 @if(lights && emission_map) import package::passes::trace::emission::{mean_luminance};
-@if(relief) import package::passes::trace::relief::{relieved};
 @if(textures) import package::passes::trace::textured::{textured};
-@if(textures || relief || emission_map) import package::passes::trace::footprint::{Texturing, at_point, spread_by, texturing_at};
-@if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, LightSample, draw_light};
-@if(lights && point_lights) import package::passes::trace::connect::{is_point};
+@if(textures || relief || emission_map) import package::passes::trace::footprint::{at_point, spread_by, texturing_at};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{load_leaf, scene_extent};
+@if(lights || sky_light) import package::passes::trace::shadow::{Connection, connect};
+@if((lights || sky_light) && (alpha || thin)) import package::passes::trace::shadow::{pass_straight};
 @if(sky || sky_light) import package::passes::trace::sky::{sky_found};
+import package::passes::trace::surface::{Surface, shading_frame_at, surface_at};
+@if(normals || relief) import package::passes::trace::surface::{shading_normal_at};
+@if(thin && relief) import package::passes::trace::surface::{is_bent};
 import package::passes::trace::traverse::{traverse};
 
 @group(0) @binding(2) var<storage, read> params: TraceParams;
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
-@if(normals) @group(0) @binding(5) var<storage, read> shading: array<Shading>;
 
 const LARGEST_F32: f32 = 0x1.fffffep+127;
+
+// A bounce's numbers in [0, 1) that choose one of several.
+struct Choices {
+    light: f32,
+    lobe: f32,
+    roulette: f32,
+    // What the map of a light says.
+    texel: f32,
+}
 
 fn dimension(state: ptr<function, PathState>, slot: u32) -> u32 {
     return (*state).bounce * DIMENSIONS_PER_BOUNCE + slot;
@@ -71,41 +73,6 @@ fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, materi
 fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> bool {
     (*state).radiance += light;
     return check(state, (*state).radiance, params.largest, material);
-}
-
-// How the surface at a hit is seen. `area_normal` is the triangle's normal by its winding, of any length.
-fn shading_frame_at(triangle: Triangle, hit: Hit, area_normal: vec3<f32>, wo: vec3<f32>) -> ShadingFrame {
-    let unit = normalize(area_normal / largest_of(abs(area_normal)));
-    let back_face = dot(unit, wo) < 0.0;
-    let geometric = select(unit, -unit, back_face);
-    return ShadingFrame(wo, geometric, geometric, u32(back_face));
-}
-
-// The normal of the mesh, on the side of the triangle's winding; that of a flat triangle is its own.
-@if(normals || relief)
-fn mesh_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame) -> vec3<f32> {
-    let flat_normal = select(frame.geometric, -frame.geometric, frame.back_face != 0u);
-    @if(normals) {
-        return interpolate_normal(shading[triangle.index], hit.b1, hit.b2, flat_normal);
-    } @else {
-        return flat_normal;
-    }
-}
-
-// The normal that a surface is shaded by, on the side of its viewer.
-@if(normals || relief)
-fn shading_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame, @if(relief) texturing: Texturing) -> vec3<f32> {
-    let normal = mesh_normal_at(triangle, hit, frame);
-    @if(relief) {
-        if (texturing.maps.relief != 0u) {
-            let side = facing(normal, frame.geometric);
-            let bent = relieved(texturing.maps.relief, texturing.point, triangle.index, hit.b1, hit.b2, normal, texturing.others.x);
-            // However steep a picture is, the facet is in front of what it says.
-            let seen = select(bent, -bent, dot(normal, frame.geometric) < 0.0);
-            return bent_to_viewer(bent_to_viewer(seen, side, frame.geometric), frame.geometric, frame.wo);
-        }
-    }
-    return bent_to_viewer(facing(normal, frame.geometric), frame.geometric, frame.wo);
 }
 
 // `pixel` in the whole film, `sample` a film sample: even ones belong to half 0, odd ones to half 1.
@@ -157,15 +124,6 @@ fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f3
     return u < survival;
 }
 
-// A bounce's numbers in [0, 1) that choose one of several.
-struct Choices {
-    light: f32,
-    lobe: f32,
-    roulette: f32,
-    // What the map of a light says.
-    texel: f32,
-}
-
 // Draws a new direction from the BSDF of the surface at the end of the ray. Whether the path goes on.
 fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) -> bool {
     let u = sample_2d((*state).key, dimension(state, SLOT_DIRECTION));
@@ -197,130 +155,6 @@ fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
         (*state).bounce += 1u;
     }
     return alive;
-}
-
-// A sampled light and the shadow ray to it. The light is seen if no other triangle comes before it in the order of hits, as for a
-// path's segment: so both ways of finding a light see the same scene, however close to the light something lies.
-@if(lights || sky_light)
-struct Connection {
-    // To just beyond the light, or just before a speck of one.
-    ray: Ray,
-    // What is hit nearer than this hides the light for certain, and ends the traversal.
-    enough: f32,
-    // What it adds to the pixel if that is seen; 0 where no shadow ray is needed.
-    light: vec3<f32>,
-    // The light's triangle, or NO_HIT.
-    triangle: u32,
-    // How many surfaces it may yet pass straight on.
-    @if(alpha || thin) passes: u32,
-    // To a light without extent.
-    @if(lights && point_lights && thin && relief) to_point: bool,
-}
-
-// Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by scatter().
-@if(lights || sky_light)
-fn connect(state: ptr<function, PathState>, surface: Surface, choices: Choices) -> Connection {
-    let u = sample_2d((*state).key, dimension(state, SLOT_LIGHT_POINT));
-    let drawn = draw_light(params, surface.position, choices.light, u, choices.texel);
-    let at = mixture_evaluate(surface.material, surface.frame, drawn.direction);
-    var light = vec3<f32>(0.0);
-    if (drawn.pdf > 0.0 && at.pdf > 0.0) {
-        var weight = power_heuristic(drawn.pdf, at.pdf);
-        @if(lights && point_lights) {
-            weight = select(weight, 1.0, is_point(drawn));
-        }
-        light = (*state).throughput * at.value * drawn.radiance * (weight / drawn.pdf);
-    }
-    let origin = offset_ray_origin(surface.position, surface.error, surface.frame.geometric, drawn.direction);
-    var connection: Connection;
-    connection.light = light;
-    connection.triangle = drawn.triangle;
-    if (drawn.end == 0.0) {
-        connection.ray = Ray(origin, 0.0, drawn.direction, T_FAR);
-        connection.enough = T_FAR;
-    } else {
-        let offset = drawn.point - origin;
-        // Of unit length like the ray of a segment, whose t is rounded so.
-        let far = max(length(offset), 0x1p-100);
-        connection.ray = Ray(origin, 0.0, offset / far, far * drawn.end);
-        connection.enough = far * (1.0 - AROUND_LIGHT);
-    }
-    @if(alpha || thin) {
-        // What comes first may let it pass, as often as a path of this depth could.
-        connection.enough = 0.0;
-        connection.passes = params.max_depth - 2u - (*state).bounce;
-        @if(lights && point_lights && thin && relief) {
-            connection.to_point = is_point(drawn);
-        }
-    }
-    return connection;
-}
-
-// Takes a shadow ray on through what it has hit, weighted by what goes straight on there; whether anything does. A relief would change what a
-// pane lets through: there, lights but points are left to paths.
-@if((lights || sky_light) && (alpha || thin))
-fn pass_straight(connection: ptr<function, Connection>, hit: Hit) -> bool {
-    let ray = (*connection).ray;
-    let triangle = load_leaf(hit.leaf);
-    let material = load_material(triangle.material);
-    var passes = (*connection).passes > 0u && lets_through(material);
-    @if(thin && relief) {
-        var bent = is_bent(material, load_maps(triangle.material));
-        @if(lights && point_lights) {
-            bent = bent && !(*connection).to_point;
-        }
-        passes = passes && !bent;
-    }
-    if (!passes) {
-        return false;
-    }
-    let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
-    var frame = shading_frame_at(triangle, hit, area_normal, -ray.direction);
-    @if(normals || relief) {
-        frame.shading = bent_to_viewer(facing(mesh_normal_at(triangle, hit, frame), frame.geometric), frame.geometric, frame.wo);
-    }
-    let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
-    let origin = offset_ray_origin(at.position, at.error, frame.geometric, ray.direction);
-    let t_max = ray.t_max - dot(origin - ray.origin, ray.direction);
-    (*connection).light *= passed_straight(material, dot(frame.wo, frame.shading));
-    (*connection).passes -= 1u;
-    (*connection).ray = Ray(origin, 0.0, ray.direction, t_max);
-    return largest_of((*connection).light) > 0.0 && t_max > 0.0;
-}
-
-// Whether a relief bends the normal by which a surface lets light pass.
-@if(thin && relief)
-fn is_bent(material: MaterialRecord, maps: MaterialMaps) -> bool {
-    return (material.flags & MATERIAL_THIN) != 0u && maps.relief != 0u;
-}
-
-// The surface at the end of a ray.
-struct Surface {
-    frame: ShadingFrame,
-    material: MaterialRecord,
-    // Index of the material.
-    index: u32,
-    position: vec3<f32>,
-    // How far each coordinate must be moved for a ray that leaves from here.
-    error: vec3<f32>,
-    // Distance from the ray's origin.
-    t: f32,
-    // By how much the shading normal turns along a unit of length.
-    @if(textures || relief || emission_map) curvature: f32,
-    @if(thin && relief) bent: bool,
-}
-
-// `material` is that of the point, whatever its textures are.
-fn surface_at(triangle: Triangle, hit: Hit, material: MaterialRecord, frame: ShadingFrame) -> Surface {
-    let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
-    var surface: Surface;
-    surface.frame = frame;
-    surface.material = material;
-    surface.index = triangle.material;
-    surface.position = at.position;
-    surface.error = at.error;
-    surface.t = hit.t;
-    return surface;
 }
 
 // What arrives along the ray from its end, times the part of it that this way of finding it counts for. `mean` is the luminance by which the
@@ -406,7 +240,8 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
             choices.texel = texturing.others.z;
         }
         @if(lights || sky_light) {
-            shaded.connection = connect(state, surface, choices);
+            let point = sample_2d((*state).key, dimension(state, SLOT_LIGHT_POINT));
+            shaded.connection = connect(params, *state, surface, choices.light, point, choices.texel);
         }
         shaded.alive = scatter(state, surface, choices);
     } else {

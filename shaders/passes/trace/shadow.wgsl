@@ -1,0 +1,109 @@
+// Shadow rays: to a light that is sampled, and on through what lets its light straight on.
+
+import package::gen::{PathState, Ray, TraceParams, T_FAR};
+@if(alpha || thin) import package::gen::{Hit};
+@if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
+@if(alpha || thin) import package::lib::bsdf::straight::{lets_through, passed_straight};
+import package::lib::intersect::{offset_ray_origin};
+@if(alpha || thin) import package::lib::intersect::{surface_point, triangle_normal};
+@if(lights || sky_light) import package::lib::light::{power_heuristic};
+@if(alpha || thin) import package::lib::math::{largest_of};
+@if((normals || relief) && (alpha || thin)) import package::lib::normals::{bent_to_viewer, facing};
+@if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, draw_light};
+@if(lights && point_lights) import package::passes::trace::connect::{is_point};
+@if(alpha || thin) import package::passes::trace::materials::{load_material};
+@if(alpha || thin) import package::passes::trace::scene::{load_leaf};
+import package::passes::trace::surface::{Surface};
+@if((normals || relief) && (alpha || thin)) import package::passes::trace::surface::{mesh_normal_at};
+@if(alpha || thin) import package::passes::trace::surface::{shading_frame_at};
+@if(thin && relief) import package::passes::trace::surface::{is_bent};
+@if(thin && relief) import package::passes::trace::textures::{load_maps};
+
+// A sampled light and the shadow ray to it. The light is seen if no other triangle comes before it in the order of hits, as for a
+// path's segment: so both ways of finding a light see the same scene, however close to the light something lies.
+@if(lights || sky_light)
+struct Connection {
+    // To just beyond the light, or just before a speck of one.
+    ray: Ray,
+    // What is hit nearer than this hides the light for certain, and ends the traversal.
+    enough: f32,
+    // What it adds to the pixel if that is seen; 0 where no shadow ray is needed.
+    light: vec3<f32>,
+    // The light's triangle, or NO_HIT.
+    triangle: u32,
+    // How many surfaces it may yet pass straight on.
+    @if(alpha || thin) passes: u32,
+    // To a light without extent.
+    @if(lights && point_lights && thin && relief) to_point: bool,
+}
+
+// Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by sampling the BSDF: `pick` chooses the
+// light, `u` the point on it, `texel` what its map says there.
+@if(lights || sky_light)
+fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u: vec2<f32>, texel: f32) -> Connection {
+    let drawn = draw_light(params, surface.position, pick, u, texel);
+    let at = mixture_evaluate(surface.material, surface.frame, drawn.direction);
+    var light = vec3<f32>(0.0);
+    if (drawn.pdf > 0.0 && at.pdf > 0.0) {
+        var weight = power_heuristic(drawn.pdf, at.pdf);
+        @if(lights && point_lights) {
+            weight = select(weight, 1.0, is_point(drawn));
+        }
+        light = state.throughput * at.value * drawn.radiance * (weight / drawn.pdf);
+    }
+    let origin = offset_ray_origin(surface.position, surface.error, surface.frame.geometric, drawn.direction);
+    var connection: Connection;
+    connection.light = light;
+    connection.triangle = drawn.triangle;
+    if (drawn.end == 0.0) {
+        connection.ray = Ray(origin, 0.0, drawn.direction, T_FAR);
+        connection.enough = T_FAR;
+    } else {
+        let offset = drawn.point - origin;
+        // Of unit length like the ray of a segment, whose t is rounded so.
+        let far = max(length(offset), 0x1p-100);
+        connection.ray = Ray(origin, 0.0, offset / far, far * drawn.end);
+        connection.enough = far * (1.0 - AROUND_LIGHT);
+    }
+    @if(alpha || thin) {
+        // What comes first may let it pass, as often as a path of this depth could.
+        connection.enough = 0.0;
+        connection.passes = params.max_depth - 2u - state.bounce;
+        @if(lights && point_lights && thin && relief) {
+            connection.to_point = is_point(drawn);
+        }
+    }
+    return connection;
+}
+
+// Takes a shadow ray on through what it has hit, weighted by what goes straight on there; whether anything does. A relief would change what a
+// pane lets through: there, lights but points are left to paths.
+@if((lights || sky_light) && (alpha || thin))
+fn pass_straight(connection: ptr<function, Connection>, hit: Hit) -> bool {
+    let ray = (*connection).ray;
+    let triangle = load_leaf(hit.leaf);
+    let material = load_material(triangle.material);
+    var passes = (*connection).passes > 0u && lets_through(material);
+    @if(thin && relief) {
+        var bent = is_bent(material, load_maps(triangle.material));
+        @if(lights && point_lights) {
+            bent = bent && !(*connection).to_point;
+        }
+        passes = passes && !bent;
+    }
+    if (!passes) {
+        return false;
+    }
+    let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
+    var frame = shading_frame_at(triangle, hit, area_normal, -ray.direction);
+    @if(normals || relief) {
+        frame.shading = bent_to_viewer(facing(mesh_normal_at(triangle, hit, frame), frame.geometric), frame.geometric, frame.wo);
+    }
+    let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
+    let origin = offset_ray_origin(at.position, at.error, frame.geometric, ray.direction);
+    let t_max = ray.t_max - dot(origin - ray.origin, ray.direction);
+    (*connection).light *= passed_straight(material, dot(frame.wo, frame.shading));
+    (*connection).passes -= 1u;
+    (*connection).ray = Ray(origin, 0.0, ray.direction, t_max);
+    return largest_of((*connection).light) > 0.0 && t_max > 0.0;
+}
