@@ -60,7 +60,7 @@ def windows(skin):
 def linings(rough):
     """What is seen of the cabin from inside: roof lining and door cards."""
     cabin = lambda t: t[0] == "top" and 5 < t[1] < 12 and t[2] < 3
-    doors = lambda t: (t[0] == "side" and 5 < t[1] < 12 and t[2] < 8) or (t[0] == "top" and 5 < t[1] < 12 and t[2] in (3, 4))
+    doors = lambda t: (t[0] == "side" and 5 < t[1] < 11 and t[2] < 8) or (t[0] == "top" and 5 < t[1] < 11 and t[2] in (3, 4))
     engine = lambda t: t[0] == "top" and 11 < t[1] < 15 and t[2] < 2
     lining = rough.part("lining", "lining", {"body", "windscreen_frit", "side_window_frit", "quarter_frit", "windscreen_seal", "side_window_seal",
                                              "quarter_seal", "pillar"}, offset=-.018, pick=cabin)
