@@ -2,10 +2,12 @@
 
 import numpy as np
 
+from edges import rim
 from mesh import joined, smooth, unit
 from panels import ARCHES
-from shapes import disk, lathe, oriented, plate, soft_loft, sweep, tube, turned
-from shell import both, pair, planar
+from shapes import disk, lathe, oriented, plate, soft_loft, sweep, tube
+from shell import pair, planar
+from surface import on_top
 
 
 def wells():
@@ -43,7 +45,6 @@ def floor():
 
 def lower_edge(skin, low, high, height):
     """Corners of the body's open lower edge, between two z."""
-    from skin import rim
     ids = {v for e in rim(skin.points, skin.faces) for v in e}
     p = skin.points[sorted(ids)]
     keep = (p[:, 1] < height) & (p[:, 2] > low) & (p[:, 2] < high)
@@ -98,55 +99,47 @@ def exhausts():
     return out
 
 
-def mirrors():
-    """A shell on two thin legs, with a pane."""
-    rings = []
-    for t, (w, h) in zip((0, .25, .6, .85, 1), ((.110, .056), (.116, .062), (.108, .056), (.084, .041), (.045, .020))):
-        turn = np.arange(16) * 2 * np.pi / 16
-        c, s = np.cos(turn), np.sin(turn)
-        u = np.sign(c) * np.abs(c) ** .42 * w
-        v = np.sign(s) * np.abs(s) ** .42 * h * (1 + .18 * c)
-        rings.append(np.stack([.985 + u - .035 * t, .912 + v - .012 * t, .485 + .105 * t + 0 * u], 1))
-    shell = soft_loft("mirror", "paint", rings, 1)
-    turn = np.arange(24) * 2 * np.pi / 24
+def squared(half, height, power, steps=16, lean=0.0):
+    """A rounded rectangle, a little higher on its outer side by `lean`."""
+    turn = np.arange(steps) * 2 * np.pi / steps
     c, s = np.cos(turn), np.sin(turn)
-    glass = np.stack([.985 + np.sign(c) * np.abs(c) ** .42 * .094, .912 + np.sign(s) * np.abs(s) ** .42 * .046 * (1 + .18 * c), np.full(24, .4795)], 1)
-    pane = smooth("mirror_pane", "mirror", glass, [list(range(24))[::-1]], 30)
-    edge = sweep("mirror_edge", "gloss_black", np.stack([glass[:, 0], glass[:, 1], glass[:, 2] + .004], 1), disk(.0055, 8), 60, closed=True)
-    legs = [tube("leg", "gloss_black", [(.84, .79, .60), (.88, .815, .585), (.93, .872, .555), (.955, .90, .54)], .009, 10),
-            tube("leg", "gloss_black", [(.84, .79, .545), (.885, .815, .54), (.945, .872, .53), (.97, .90, .52)], .008, 10)]
+    return np.sign(c) * np.abs(c) ** power * half, np.sign(s) * np.abs(s) ** power * height * (1 + lean * c)
+
+
+def mirrors():
+    """A shell that tapers ahead, painted above and black below, on two thin legs, with a pane."""
+    x, y, z = .975, .905, .465
+    rings = []
+    for t, half, height in ((0, .100, .047), (.10, .107, .053), (.38, .106, .053), (.68, .092, .043), (.88, .062, .027), (1, .022, .009)):
+        u, v = squared(half, height, .5, lean=.20)
+        rings.append(np.stack([x + u - .050 * t ** 1.5, y + v - .016 * t, z + .150 * t + .055 * (-u / .1) * (1 - .5 * t)], 1))
+    shell = soft_loft("mirror", "paint", rings, 1)
+    below = [shell.points[f].mean(0)[1] < y - .019 - .014 * (shell.points[f].mean(0)[2] - z) / .15 for f in shell.faces]
+    upper, lower = shell.only(lambda k: not below[k]), shell.moved(name="mirror_foot").only(lambda k: below[k], "gloss_black")
+    u, v = squared(.089, .040, .5, 28, .20)
+    glass = np.stack([x + u, y + v, z - .004 - .55 * u], 1)
+    pane = smooth("mirror_pane", "mirror", glass, [list(range(len(u)))[::-1]], 30)
+    edge = sweep("mirror_edge", "gloss_black", glass + (0, 0, .004), disk(.0055, 8), 60, closed=True)
+    legs = [tube("leg", "gloss_black", [(.84, .79, .60), (.88, .812, .585), (.925, .850, .560), (.950, .880, .545)], .009, 10),
+            tube("leg", "gloss_black", [(.84, .79, .545), (.885, .812, .54), (.935, .850, .535), (.965, .880, .53)], .008, 10)]
     out = []
-    for part in (shell, pane, oriented(edge), joined("mirror_legs", legs)):
+    for part in (upper, lower, pane, oriented(edge), joined("mirror_legs", legs)):
         out += pair(part)
     return out
-
-
-def on_surface(skin, x, z, lift):
-    """A point of the upper surface near x and z, lifted along its normal."""
-    p = skin.points
-    up = np.abs(skin.normals[:, 1]) > .25
-    d = np.hypot(p[:, 0] - abs(x), p[:, 2] - z) + np.where(up, 0, 9)
-    near = np.argsort(d)[:6]
-    w = 1 / (d[near] ** 2 + 1e-6)
-    w = w / w.sum()
-    q, n = w @ p[near], unit(w @ skin.normals[near])
-    y = q[1] - (n[0] * (abs(x) - q[0]) + n[2] * (z - q[2])) / n[1]
-    out = np.array((abs(x), y, z)) + n * lift
-    return out * (1 if x >= 0 else -1, 1, 1)
 
 
 def wipers(skin):
     """Two arms with blades at rest along the foot of the windscreen."""
     parts = []
     for pivot, tip in (((.30, .925), (-.10, .862)), ((-.16, .945), (-.475, .765))):
-        arm = [on_surface(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t, .020 + .012 * np.sin(np.pi * t)) for t in np.linspace(0, .62, 6)]
-        blade = [on_surface(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t - .004, .010) for t in np.linspace(.12, 1.12, 14)]
+        arm = [on_top(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t, .020 + .012 * np.sin(np.pi * t)) for t in np.linspace(0, .62, 6)]
+        blade = [on_top(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t - .004, .010) for t in np.linspace(.12, 1.12, 14)]
         rubber = [b - np.array((0, .004, 0)) for b in blade]
         parts.append(sweep("wiper", "trim_black", arm, [(-.009, -.004), (.009, -.004), (.007, .004), (-.007, .004)], 30))
         parts.append(sweep("wiper", "trim_black", blade, [(-.005, -.006), (.005, -.006), (.003, .006), (-.003, .006)], 30))
         knob = lathe("wiper", "trim_black", [(-.02, .016), (.028, .016), (.034, .012), (.034, 0)], 20, 40)
         m = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]], float)
-        parts.append(oriented(knob).moved(m, on_surface(skin, pivot[0], pivot[1], 0)))
+        parts.append(oriented(knob).moved(m, on_top(skin, pivot[0], pivot[1], 0)))
     return [joined("wipers", parts)]
 
 

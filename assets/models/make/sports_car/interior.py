@@ -25,9 +25,9 @@ def along(path, section, scale_depth=True):
 
 
 def seat(x, word):
-    shell = soft_loft("seat", "leather_dark", along(SEAT, SECTION), 1)
-    insert = soft_loft("seat_insert", "leather", along(SEAT[2:9], INSERT, False), 1)
-    strip = soft_loft("head_insert", "leather", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 1)
+    shell = soft_loft("seat", "leather", along(SEAT, SECTION), 1)
+    insert = soft_loft("seat_insert", "leather_dark", along(SEAT[2:9], INSERT, False), 1)
+    strip = soft_loft("head_insert", "leather_dark", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 1)
     belt_path = [(.19, .80, -.50), (.17, .775, -.432), (.15, .66, -.365), (.10, .52, -.312), (-.02, .37, -.245), (-.16, .325, -.20), (-.215, .30, -.20)]
     belt = sweep("belt", "belt", belt_path, [(-.0015, -.022), (.0015, -.022), (.0015, .022), (-.0015, .022)], 30)
     side = 1 if x > 0 else -1
@@ -67,14 +67,14 @@ def steering():
     ring = np.stack([r * np.cos(a), r * np.sin(a), 0 * a], 1)
     parts = [oriented(tube("steering_ring", "leather_dark", ring, .0155, 8, closed=True))]
     for angle in (0, 180, 270):
-        spoke = box("steering_spokes", "trim_black", (.10, 0, .004), (.13, .030, .010), .004)
+        spoke = box("steering_spokes", "chrome", (.10, 0, .004), (.13, .030, .010), .004)
         parts.append(spoke.moved(turned(2, angle)))
     boss = lathe("steering_boss", "trim_black", [(.03, .052), (-.004, .056), (-.014, .048), (-.018, 0)], 28, 30)
     parts.append(oriented(boss).moved(np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]], float)))
     mark = box("steering_mark", "caliper", (0, .172, 0), (.016, .030, .030), .006)
     column = tube("steering_column", "trim_black", [(0, 0, .02), (0, 0, .22)], .035, 16)
     tilt = turned(0, 22)
-    groups = [parts[0], joined("steering_spokes", parts[1:5]), mark, oriented(column)]
+    groups = [parts[0], joined("steering_spokes", parts[1:4]), parts[4], mark, oriented(column)]
     return [oriented(p).moved(tilt, (.36, .655, .270)) for p in groups]
 
 

@@ -12,13 +12,16 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import cage
 import chassis
 import interior
+import land
 import lights
 import materials
 import mesh
 import mtl
 import panels
+import plants
 import road
 import shell
+import tail
 import textures
 import wheels
 
@@ -33,14 +36,16 @@ def main():
     rough = cage.body(3)
     panels.cut(skin)
     panels.cut_roughly(rough)
-    parts = shell.all_parts(skin, rough) + lights.all_parts(whole) + chassis.all_parts(whole) + wheels.wheels() + interior.all_parts()
+    parts = shell.all_parts(skin, rough) + lights.all_parts(whole) + tail.all_parts(skin, whole)
+    parts += chassis.all_parts(whole) + wheels.wheels() + interior.all_parts()
     for part in parts:
         if part.uvs is None and part.material in BOXED:
             road.soft_uv(part, BOXED[part.material])
     mesh.write(MODELS / "sports-car.obj", ["A sports car. Metres, y up, nose towards +z. Made by make/sports_car/main.py."], "sports-car.mtl", parts)
     mtl.write(MODELS / "sports-car.mtl", ["A sports car."], "sports-car", materials.CAR)
+    # Of the road, what has most faces comes first, where indices are short.
     mesh.write(MODELS / "sports-car-road.obj", ["A road with kerb, wall and trees, for the sports car. Metres, y up. Made by make/sports_car/main.py."],
-               "sports-car-road.mtl", road.all_parts(), "%.3f")
+               "sports-car-road.mtl", plants.all_parts() + road.all_parts() + land.all_parts(), "%.3f")
     mtl.write(MODELS / "sports-car-road.mtl", ["The sports car's road."], "sports-car", materials.ROAD)
     textures.write(MODELS / "sports-car")
 

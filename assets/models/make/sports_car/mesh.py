@@ -45,6 +45,12 @@ class Part:
                     None if self.normals is None else self.normals * flip, turn(self.corners),
                     self.uvs, turn(self.uv_corners))
 
+    def only(self, choose, material=None):
+        """The faces that `choose` picks by their number."""
+        keep = [k for k in range(len(self.faces)) if choose(k)]
+        pick = lambda lists: [lists[k] for k in keep]
+        return Part(self.name, material or self.material, self.points, pick(self.faces), self.normals, pick(self.corners), self.uvs, pick(self.uv_corners))
+
     def flipped(self):
         turn = lambda lists: [f[::-1] for f in lists]
         return Part(self.name, self.material, self.points, turn(self.faces),
@@ -70,20 +76,21 @@ def joined(name, parts):
                 np.concatenate(uvs) if with_uv else None, uv_corners if with_uv else None)
 
 
+def area(points):
+    """A polygon's normal, twice as long as its area."""
+    return np.cross(points, np.roll(points, -1, 0)).sum(0)
+
+
 def face_normals(points, faces):
-    out = np.zeros((len(faces), 3))
-    for k, f in enumerate(faces):
-        p = points[f]
-        out[k] = np.cross(p, np.roll(p, -1, 0)).sum(0)
-    return out
+    return np.array([area(points[f]) for f in faces])
 
 
 def smooth(name, material, points, faces, angle=35.0, uvs=None, uv_corners=None):
     """A part whose normals are smooth where faces meet by less than `angle` degrees."""
     points = np.asarray(points, float)
     faces = [list(f) for f in faces]
-    area = face_normals(points, faces)
-    flat = unit(area)
+    sizes = face_normals(points, faces)
+    flat = unit(sizes)
     around = {}
     for k, f in enumerate(faces):
         for v in f:
@@ -98,14 +105,14 @@ def smooth(name, material, points, faces, angle=35.0, uvs=None, uv_corners=None)
             key = (v, tuple(close))
             if key not in known:
                 known[key] = len(normals)
-                normals.append(unit(area[close].sum(0)))
+                normals.append(unit(sizes[close].sum(0)))
             row.append(known[key])
         corners.append(row)
     return Part(name, material, points, faces, normals, corners, uvs, uv_corners)
 
 
 # Where two digits of a normal do.
-ROUGH = {"tyre", "leather_dark", "alcantara", "lining", "gap_black", "carpet", "mortar", "wall", "kerb", "wall_cap", "bark", "leaves",
+ROUGH = {"tyre", "tyre_letters", "leather_dark", "alcantara", "lining", "gap_black", "carpet", "mortar", "wall", "kerb", "wall_cap", "bark", "leaves", "wood", "blades",
          "rubber", "trim_black", "leather", "grille", "grille_fine", "underbody", "liner", "belt"}
 
 

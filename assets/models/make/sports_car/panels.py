@@ -3,9 +3,9 @@
 import numpy as np
 
 from cage import FRONT_AXLE, REAR_AXLE
-from fields import FRONT, SIDE, TOP, Outline, circle, curve, mirrored
+from fields import FRONT, SIDE, TOP, Outline, circle, mirrored
 
-ARCHES = ((FRONT_AXLE, .335, .372), (REAR_AXLE, .348, .392))
+ARCHES = ((FRONT_AXLE, .335, .360), (REAR_AXLE, .348, .379))
 GAP = .0095
 
 side = lambda t, l: t[0] == "side"
@@ -26,19 +26,26 @@ WINDSCREEN = mirrored([(0, .918), (.16, .908), (.30, .878), (.42, .835), (.52, .
 SIDE_WINDOW = [(.665, .800), (.52, .846), (.30, .928), (.05, 1.012), (-.15, 1.055), (-.36, 1.062), (-.50, 1.045), (-.585, .845), (-.40, .826),
                (-.10, .813), (.30, .800)]
 QUARTER = [(-.555, 1.030), (-.68, .985), (-.84, .915), (-.80, .872), (-.64, .858)]
+# Black around both side windows, so that they look like one.
+DAYLIGHT = [(.70, .786), (.52, .866), (.30, .948), (.05, 1.032), (-.15, 1.075), (-.36, 1.082), (-.52, 1.064), (-.70, 1.002), (-.875, .920), (-.825, .854),
+            (-.64, .836), (-.40, .806), (-.10, .793), (.30, .780)]
 REAR_WINDOW = mirrored([(0, -.60), (.34, -.615), (.375, -.66), (.335, -.93), (.30, -.955), (0, -.955)])
 LID = mirrored([(0, -.565), (.39, -.585), (.445, -.70), (.40, -1.00), (.37, -1.40), (.40, -1.74), (.36, -1.80), (0, -1.80)])
 BONNET = mirrored([(0, 2.09), (.35, 2.07), (.52, 1.985), (.575, 1.80), (.555, 1.45), (.575, 1.10), (.60, .985), (.45, .965), (.20, .985), (0, .99)])
 BONNET_VENT = [(.205, 1.50), (.365, 1.60), (.425, 1.53), (.395, 1.37), (.235, 1.40)]
 LAMP = [(.600, 2.045), (.655, 1.93), (.735, 1.80), (.800, 1.715), (.852, 1.672), (.868, 1.735), (.858, 1.86), (.815, 1.955), (.72, 2.035), (.64, 2.075)]
 DOOR = [(.865, 1.4), (.865, .74), (.900, .62), (.895, .42), (.83, .25), (.76, .195), (-.40, .195), (-.50, .25), (-.545, .40), (-.585, .60), (-.62, .76), (-.62, 1.4)]
-INTAKE = [(-.640, .665), (-.700, .690), (-.855, .665), (-.885, .62), (-.865, .40), (-.83, .345), (-.76, .335), (-.655, .48)]
+INTAKE = [(-.618, .700), (-.700, .722), (-.860, .690), (-.895, .640), (-.872, .500), (-.800, .345), (-.735, .330), (-.690, .420), (-.655, .545)]
 BUMPER = [(1.2, .455), (1.72, .462), (1.90, .505), (2.05, .515), (2.20, .545), (2.7, .53), (2.7, -.5), (1.2, -.5)]
 REAR_BUMPER = [(-1.2, .60), (-1.72, .60), (-1.90, .598), (-2.7, .585), (-2.7, -.5), (-1.2, -.5)]
-CENTRE_INTAKE = mirrored([(0, .315), (.36, .315), (.43, .175), (0, .165)])
-OUTER_INTAKE = [(.475, .185), (.545, .375), (.70, .405), (.865, .415), (.885, .33), (.872, .19)]
+CENTRE_INTAKE = mirrored([(0, .385), (.30, .382), (.375, .345), (.43, .185), (.41, .165), (0, .160)])
+OUTER_INTAKE = [(.505, .180), (.575, .360), (.66, .405), (.865, .425), (.890, .345), (.872, .185)]
+# Of each intake of the nose: its outline and the heights of its bars.
+MOUTHS = {"centre_intake": (CENTRE_INTAKE, (.235, .310)), "outer_intake": (OUTER_INTAKE, (.255, .330))}
+# How wide the frame of such an intake is, and how deep it leads.
+FRAME, FUNNEL = .030, .034
 TAIL_PANEL = mirrored([(0, .800), (.55, .795), (.80, .768), (.822, .735), (.80, .665), (.55, .628), (0, .628)])
-TAIL_LAMP = [(.36, .775), (.60, .770), (.785, .748), (.800, .725), (.785, .690), (.755, .688), (.752, .722), (.60, .742), (.37, .745)]
+TAIL_LAMP = [(.435, .780), (.62, .776), (.785, .754), (.805, .730), (.790, .672), (.62, .644), (.475, .644)]
 PLATE = [(-.265, .455), (.265, .455), (.265, .575), (-.265, .575)]
 DIFFUSER = mirrored([(0, .40), (.50, .395), (.60, .33), (.66, .05), (0, .05)])
 VENT = [(.66, .33), (.70, .43), (.83, .46), (.85, .40), (.83, .345)]
@@ -76,6 +83,7 @@ def windows(skin):
         skin.region(name + "_seal", window, pick(where, "body"))
         skin.region(name + "_frit", window, pick(where, name + "_seal"), -.007)
         skin.region(name, window, pick(where, name + "_frit"), -.034 if name == "windscreen" else -.022)
+    skin.region("pillar", Outline(DAYLIGHT, SIDE, .03), pick(house, "body"))
 
 
 def cut(skin):
@@ -99,24 +107,21 @@ def cut(skin):
     skin.region("louvre_field", Outline(mirrored([(0, -1.03), (.355, -1.035), (.325, -1.2), (.32, -1.4), (.375, -1.715), (0, -1.715)]), TOP, .02), pick(deck, "lid"))
     for k in range(LOUVRES):
         skin.region("slat%d" % k, louvre(k), pick(deck, "louvre_field"))
-    skin.panel("flap", circle((-1.24, .800), .066), lambda t, l: t[0] == "side", GAP * .8)
+    skin.panel("flap", circle((-.985, .772), .058), flank, GAP * .8)
     skin.region("intake_frame", Outline(INTAKE, SIDE, .03), pick(side, "body"))
     skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)
     skin.panel("handle", Outline(HANDLE, SIDE, .012), side, .004, ("door",))
     skin.region("skirt", lambda p: p[:, 1] - (.178 + .012 * np.clip(-p[:, 2], 0, 1)), lambda t, l: side(t, l) and l in ("body", "door") and 3 < t[1] < 13)
-    for z in (-.735, -.80):
-        skin.region("intake_bar", lambda p: np.abs(p[:, 2] - z - .12 * (p[:, 1] - .50)) - .008, pick(side, "intake"))
     skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
-    for name, outline, bars in (("centre_intake", CENTRE_INTAKE, (.243,)), ("outer_intake", OUTER_INTAKE, (.255, .325))):
+    for name, (outline, bars) in MOUTHS.items():
         hole = Outline(outline, FRONT, .03)
-        skin.region(name + "_frame", hole, pick(face, "bumper"), .016)
+        skin.region(name + "_frame", hole, pick(face, "bumper"), FRAME)
         skin.region(name, hole, pick(face, name + "_frame"))
         for y in bars:
-            skin.region(name + "_bar", lambda p: np.abs(p[:, 1] - y - .03 * (p[:, 0] > .45) * (p[:, 0] - .45)) - .0075, pick(face, name))
+            skin.region(name + "_bar", lambda p: np.abs(p[:, 1] - y - .05 * (p[:, 0] > .45) * (p[:, 0] - .45)) - .006, pick(face, name))
     panel = Outline(TAIL_PANEL, FRONT, .02)
     skin.region("tail_panel", panel, lambda t, l: tail_wide(t, l) and l in ("body",))
-    skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .012), pick(tail_wide, "tail_panel"))
-    skin.region("tail_line", Outline(TAIL_LAMP, FRONT, .012), pick(tail_wide, "tail_lamp"), -.0085)
+    skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .02), pick(tail_wide, "tail_panel"))
     skin.panel("plate", Outline(PLATE, FRONT, .012), tail, .004, ("tail_bumper",))
     skin.region("diffuser", Outline(DIFFUSER, FRONT, .03), pick(tail_wide, "tail_bumper"))
     skin.region("vent", Outline(VENT, FRONT, .02), pick(tail_wide, "tail_bumper"))
@@ -124,6 +129,7 @@ def cut(skin):
         skin.coarsen()
     for _ in range(6):
         skin.weld()
+    skin.mend()
 
 
 def cut_roughly(skin):
@@ -135,6 +141,7 @@ def cut_roughly(skin):
         skin.coarsen()
     for _ in range(4):
         skin.weld()
+    skin.mend()
 
 
 nose_or_cowl = lambda t, l: t[0] == "top" and t[1] < 7 and t[2] < 4

@@ -1,9 +1,9 @@
-"""The road: asphalt with markings, a kerb with joints, paving, a low stone wall, grass, trees and hills beyond."""
+"""The road: asphalt with markings and repairs, a kerb with joints, paving, a low stone wall."""
 
 import numpy as np
 
-from mesh import Part, joined, smooth, unit
-from shapes import box, disk, sweep
+from mesh import joined, smooth, unit
+from shapes import box
 
 KERB, WALL = -1.72, -3.35
 
@@ -99,13 +99,13 @@ def repairs():
     """Sealed cracks, a mended patch, a manhole cover and a gully by the kerb."""
     rng = np.random.default_rng(41)
     seals = []
-    for start, heading, count in (((4.6, -2.2), 2.5, 30), ((1.3, 2.4), .15, 26), ((.9, 7.5), -1.3, 24), ((5.6, 5), 3.6, 34), ((3.2, -16), 1.7, 40), ((2.0, -7.5), .5, 22)):
+    for start, heading, count in (((4.6, -2.2), 2.5, 30), ((5.6, 5), 3.6, 34), ((3.2, -16), 1.7, 40), ((2.0, -7.5), .5, 22)):
         p, a, line = np.array(start), heading, []
         for _ in range(count):
             line.append(p)
             a += rng.normal(0, .22) + .06 * (heading - a)
             p = p + np.array((np.cos(a), np.sin(a))) * .11
-        seals.append(ribbon("seals", "bitumen", line, np.interp(np.arange(count), [0, 3, count - 4, count - 1], [.012, .04, .04, .01]) * rng.uniform(.8, 1.2, count), .002))
+        seals.append(ribbon("seals", "bitumen", line, np.interp(np.arange(count), [0, 3, count - 4, count - 1], [.006, .02, .02, .005]) * rng.uniform(.8, 1.2, count), .002))
     out = [joined("seals", seals)]
     out.append(sheet("patch", "asphalt_new", (.25, 1.45), (4.9, 7.6), .001, .5))
     rim = [(.25 + 1.2 * a, 4.9 + 2.7 * b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
@@ -137,8 +137,8 @@ def wall():
                                          (.34, high, long - .014), .016, 0), .9, int(rng.integers(1e6))))
             z += long
     out = [joined("wall_blocks", blocks)]
-    out.append(box("wall_core", "mortar", (WALL - .17, .40, 0), (.30, .64, 31.6), .01, 1))
-    runs = [boxed_uv(block("wall_far", "wall", (WALL - .17, .10 + .333, sum(z) / 2), (.33, .70, z[1] - z[0]), .01, 0), .9, 5) for z in ((-200, -16.2), (16.2, 200))]
+    out.append(box("wall_core", "mortar", (WALL - .17, .40, 0), (.24, .64, 31.6), .01, 1))
+    runs = [boxed_uv(block("wall_far", "wall", (WALL - .17, .10 + .333, sum(z) / 2), (.33, .70, z[1] - z[0]), .01, 0), .9, 5) for z in ((-200, -15.9), (15.9, 200))]
     out.append(joined("wall_far", runs))
     caps = []
     z = -17.0
@@ -151,124 +151,5 @@ def wall():
     return out
 
 
-def rise(x, z):
-    """Height of the ground behind the wall."""
-    away = max(0.0, -x - 4.2)
-    return .30 + .055 * away + .5 * np.sin(z * .045 + 1) * min(1, away / 12) + .35 * np.sin(x * .11 + z * .07) * min(1, away / 12)
-
-
-def ground():
-    xs = -np.array((3.6, 5, 7, 10, 14, 20, 28, 38, 52, 70, 95, 130))[::-1]
-    zs = np.concatenate([np.linspace(-220, -60, 9), np.linspace(-52, 52, 27), np.linspace(60, 220, 9)])
-    behind = sheet("meadow", "grass", xs, zs, rise, .14)
-    ahead = sheet("verge", "grass", (9, 14, 30, 120, 300), np.linspace(-220, 220, 12), lambda x, z: -.02 + .0 * x, .14)
-    return [behind, ahead]
-
-
-def ridge(name, distance, height, seed):
-    """A line of hills as a bent strip with a rounded top."""
-    rng = np.random.default_rng(seed)
-    turn = np.radians(np.linspace(-5, 365, 150))
-    waves = sum(rng.uniform(.3, 1) / k * np.sin(k * turn * 2 + rng.random() * 6) for k in range(1, 9))
-    top = height * (.62 + .30 * waves)
-    top = np.maximum(top, height * .12)
-    points, uvs = [], []
-    for s, (out, up) in enumerate(((-.12, 0), (-.06, .45), (-.02, .8), (.02, .96), (.07, 1))):
-        for k, a in enumerate(turn):
-            d = distance * (1 + out)
-            points.append((-d * np.sin(a), top[k] * up - 2, d * np.cos(a)))
-            uvs.append((k * .16, up))
-    m = len(turn)
-    faces = [[i * m + j, (i + 1) * m + j, (i + 1) * m + j + 1, i * m + j + 1] for i in range(4) for j in range(m - 1)]
-    part = smooth(name, "hills", points, faces, 80, uvs, faces)
-    # Seen from the middle.
-    if (part.normals[part.corners[0]].mean(0) @ np.array(part.points[part.faces[0]].mean(0))) > 0:
-        part = Part(name, "hills", part.points, [f[::-1] for f in part.faces], -part.normals, [f[::-1] for f in part.corners], part.uvs, [f[::-1] for f in part.uv_corners])
-    return part
-
-
-def cards(name, material, centres, ups, rights, normals, uv=((0, 0), (1, 0), (1, 1), (0, 1))):
-    points, faces, uv_corners = [], [], []
-    for c, u, r in zip(centres, ups, rights):
-        k = len(points)
-        points += [c - r - u, c + r - u, c + r + u, c - r + u]
-        faces.append([k, k + 1, k + 2, k + 3])
-        uv_corners.append([0, 1, 2, 3])
-    return Part(name, material, points, faces, normals, [[k] * 4 for k in range(len(faces))], uv, uv_corners)
-
-
-def trees():
-    trunks, centres, ups, rights, normals = [], [], [], [], []
-    for n, (x, z, tall) in enumerate(((-9, 13, 6.2), (-13, 22, 7.5), (-11, -14, 6.5), (-17, -24, 8.5), (-21, 6, 8), (-26, 34, 9), (-10, 42, 7), (-30, -8, 9.5),
-                                      (-14, -46, 8), (-38, 20, 10), (-9.5, 70, 7.5), (-24, -70, 9))):
-        rng = np.random.default_rng(300 + n)
-        foot = np.array((x, rise(x, z) - .2, z))
-        lean = rng.normal(0, .25, 2)
-        path = [foot + np.array((lean[0] * t * t, tall * .62 * t, lean[1] * t * t)) for t in np.linspace(0, 1, 6)]
-        trunks.append(sweep("trunks", "bark", path, [disk(.026 * tall * (1.15 - .85 * t) * (1.5 if t == 0 else 1), 9) for t in np.linspace(0, 1, 6)], 60))
-        for b in range(5):
-            a = b * 1.26 + rng.random()
-            start, end = path[2 + b % 3], path[5] + np.array((np.cos(a), .25 + .1 * b, np.sin(a))) * tall * .18
-            trunks.append(sweep("trunks", "bark", [start + (end - start) * t + np.array((0, .08 * tall * t * (1 - t), 0)) for t in (0, .4, 1)],
-                                [disk(.011 * tall * (1 - .7 * t), 6) for t in (0, .4, 1)], 60))
-        blobs = [(path[5] + np.array((0, tall * .10, 0)), tall * .20)]
-        for b in range(8):
-            a = b * .785 + rng.random() * .6
-            blobs.append((path[5] + np.array((np.cos(a) * .18, rng.uniform(-.10, .14), np.sin(a) * .18)) * tall, tall * rng.uniform(.10, .16)))
-        # Fewer and larger leaves far away.
-        count, grown = (46, 1.0) if np.hypot(x, z) < 30 else (28, 1.28)
-        for centre, radius in blobs:
-            for _ in range(count):
-                d = unit(rng.normal(0, 1, 3) + np.array((0, .25, 0)))
-                c = centre + d * radius * rng.uniform(.55, 1.05)
-                size = rng.uniform(.028, .048) * tall * grown
-                u = unit(np.cross(d, rng.normal(0, 1, 3)))
-                r = unit(np.cross(u, d) + d * rng.normal(0, .5))
-                centres.append(c)
-                ups.append(u * size)
-                rights.append(r * size)
-                normals.append(np.cross(r, u))
-    rng = np.random.default_rng(500)
-    for n in range(58):
-        z = -190 + n * 6.6 + rng.normal(0, 2)
-        x = -64 - rng.gamma(1.2, 10) - .12 * abs(z)
-        tall = rng.uniform(4, 9)
-        for b in range(3):
-            centre = np.array((x + rng.normal(0, 1.2), rise(x, z) + tall * rng.uniform(.25, .55), z + rng.normal(0, 1.6)))
-            for _ in range(9):
-                d = unit(rng.normal(0, 1, 3))
-                u = unit(np.cross(d, rng.normal(0, 1, 3)))
-                size = tall * rng.uniform(.17, .28)
-                centres.append(centre + d * tall * .26)
-                ups.append(u * size)
-                rights.append(np.cross(u, d) * size)
-                normals.append(np.cross(rights[-1], u))
-    return [joined("trunks", trunks), cards("leaves", "leaves", centres, ups, rights, unit(np.array(normals)))]
-
-
-def tufts():
-    """Blades along the foot and the back of the wall, and at the kerb's far edge of the road."""
-    rng = np.random.default_rng(77)
-    centres, ups, rights, normals = [], [], [], []
-
-    def add(x, y, z, size, wide):
-        a = rng.uniform(-.7, .7) + (np.pi / 2 if rng.random() < .7 else 0)
-        r = np.array((np.cos(a), 0, np.sin(a))) * wide
-        u = np.array((rng.normal(0, .15), 1, rng.normal(0, .15))) * size / 2
-        centres.append(np.array((x, y + size / 2 - .01, z)))
-        ups.append(u)
-        rights.append(r)
-        normals.append(unit(np.cross(r, u)))
-
-    for _ in range(150):
-        add(WALL + rng.uniform(.015, .07), .105, rng.uniform(-16, 16), rng.uniform(.05, .16), rng.uniform(.05, .12))
-    for _ in range(420):
-        z = rng.uniform(-26, 26)
-        x = WALL - .38 - abs(rng.normal(0, .35))
-        add(x, rise(x, z), z, rng.uniform(.35, .95), rng.uniform(.25, .5))
-    return [cards("tufts", "blades", centres, ups, rights, normals)]
-
-
 def all_parts():
-    # What has most faces comes first, where indices are short.
-    return trees() + tufts() + surface() + wall() + ground() + [ridge("hills_near", 210, 20, 1), ridge("hills_far", 420, 62, 2)]
+    return surface() + wall()

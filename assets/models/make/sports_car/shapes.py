@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mesh import Part, smooth, unit
+from mesh import smooth, unit
 from subdivide import subdivide
 
 

@@ -3,8 +3,9 @@
 import numpy as np
 
 from mesh import joined
-from panels import LOUVRES
-from shapes import box
+from fields import FRONT, Outline
+from panels import FRAME, FUNNEL, LOUVRES, MOUTHS
+from shapes import plate
 
 PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "lid", "flap")
 
@@ -28,9 +29,9 @@ def planar(part, axes, scale):
 def panels(skin):
     out = []
     for name in PAINTED:
-        part = skin.part(name, "paint", {name}, fold=.014 if name != "body" else .022, lip=.0022)
+        part = skin.part(name, "paint", {name}, fold=.020 if name != "body" else .024, lip=.0022)
         out += pair(part) if name in ("door", "flap") else [both(part)]
-    out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-.0115)))
+    out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-.017)))
     out += pair(skin.part("handle", "gloss_black", {"handle"}, offset=.003, fold=.012, lip=.003))
     out.append(both(skin.part("skirts", "carbon", {"skirt"}, fold=.01)))
     planar(out[-1], (2, 1), 30)
@@ -53,55 +54,63 @@ def windows(skin):
         pane = skin.part(name, glass, {name}, offset=-.002)
         for part in (seal, frit, pane):
             out += pair(part) if name in ("side_window", "quarter") else [both(part)]
-    return out
+    return out + pair(skin.part("pillar", "gloss_black", {"pillar"}, offset=-.001, fold=.008, lip=.0015))
 
 
 def linings(rough):
     """What is seen of the cabin from inside: roof lining and door cards."""
     cabin = lambda t: t[0] == "top" and 5 < t[1] < 12 and t[2] < 3
-    doors = lambda t: (t[0] == "side" and 5 < t[1] < 12 and t[2] < 8) or (t[0] == "top" and 5 < t[1] < 12 and t[2] in (3, 4))
+    doors = lambda t: (t[0] == "side" and 5 < t[1] < 11 and t[2] < 8) or (t[0] == "top" and 5 < t[1] < 11 and t[2] in (3, 4))
     engine = lambda t: t[0] == "top" and 11 < t[1] < 15 and t[2] < 2
     lining = rough.part("lining", "lining", {"body", "windscreen_frit", "side_window_frit", "quarter_frit", "windscreen_seal", "side_window_seal",
-                                             "quarter_seal"}, offset=-.018, pick=cabin)
-    cards = rough.part("door_cards", "leather_dark", {"body"}, offset=-.05, pick=doors)
+                                             "quarter_seal", "pillar"}, offset=-.018, pick=cabin)
+    cards = rough.part("door_cards", "leather", {"body"}, offset=-.05, pick=doors)
     bay = rough.part("lid_inside", "gap_black", {"body"}, offset=-.045, pick=engine)
     tail = rough.part("tail_mesh", "grille_fine", {"body"}, offset=-.024, pick=lambda t: t[0] == "rear" and t[2] < 2)
     mouth = lambda t: t[0] == "front"
-    mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, offset=-.06, pick=mouth)), (0, 1), 14)
-    dark = both(rough.part("intake_back", "gap_black", {"body"}, offset=-.115, pick=mouth))
+    mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, offset=-.085, pick=mouth)), (0, 1), 14)
+    dark = both(rough.part("intake_back", "gap_black", {"body"}, offset=-.15, pick=mouth))
     return [mesh, dark, both(planar(tail, (0, 1), 20)), both(lining.flipped()), both(cards.flipped()), both(bay)]
 
 
-def openings(skin):
-    """Meshes, walls and darkness behind the holes."""
+def mouths(skin):
+    """The intakes of the nose: frames that lead inwards, bars, and walls behind; the mesh is one for all."""
     out = []
-    for name in ("centre_intake", "outer_intake", "intake"):
-        frame = skin.part(name + "_frame", "gloss_black", {name + "_frame"}, offset=-.002, fold=.01)
-        bars = skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-.014, fold=.03, lip=.003)
-        for part in (frame, bars):
+    for name, (outline, _) in MOUTHS.items():
+        hole = Outline(outline, FRONT, .03)
+        funnel = lambda p: -.002 - FUNNEL * (1 - np.clip(hole(p) / FRAME, 0, 1))
+        row = [skin.part(name + "_frame", "gloss_black", {name + "_frame"}, offset=funnel, fold=.01),
+               skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-FUNNEL - .008, fold=.03, lip=.003),
+               skin.part(name + "_walls", "trim_black", {name, name + "_bar"}, offset=-FUNNEL, fold=.14, lip=.004, walls=True)]
+        for part in row:
             out += [both(part)] if name == "centre_intake" else pair(part)
-    for name, depth, axes, back in (("centre_intake", .05, (0, 1), .14), ("outer_intake", .06, (0, 1), .10), ("vent", .025, (0, 1), .06), ("intake", .075, (2, 1), .13),
-                                    ("bonnet_vent", .03, (0, 2), .05)):
-        ahead = np.array({"vent": (0, 0, 1.0), "intake": (-1.0, 0, 0), "bonnet_vent": (0, -1.0, 0)}.get(name, (0, 0, -1.0)))
-        push = lambda d: (lambda p, n: p + ahead * d)
-        whole = {name, name + "_bar"}
-        wall = skin.part(name + "_walls", "trim_black", whole, fold=back, lip=.004, walls=True)
-        out += [both(wall)] if name == "centre_intake" else pair(wall)
-        if name in ("vent", "intake", "bonnet_vent"):
-            out += pair(planar(skin.part(name + "_mesh", "grille", whole, shift=push(depth)), axes, 14))
-            out += pair(skin.part(name + "_back", "gap_black", whole, shift=push(back)))
-    lamp = {"tail_lamp", "tail_line"}
-    panel = {"tail_panel"} | lamp
-    out.append(box("tail_back", "gap_black", (0, .71, -1.985), (1.34, .20, .02), .005, 1))
-    out.append(both(skin.part("tail_walls", "gloss_black", panel, fold=.05, lip=.003, walls=True)))
-    out += pair(skin.part("tail_lens", "tail_lens", lamp, offset=-.004, fold=.02, lip=.003))
-    out += pair(skin.part("tail_glow", "tail_light", {"tail_line"}, offset=-.009))
-    out += pair(skin.part("tail_reflector", "tail_reflector", {"tail_lamp"}, offset=-.014))
-    plate = skin.part("plate", "plate", {"plate"}, offset=.002, fold=.008)
-    plate = both(plate)
-    plate.uvs = np.stack([.5 - plate.points[:, 0] / .53, (plate.points[:, 1] - .455) / .12], 1)
-    plate.uv_corners = plate.faces
-    out.append(plate)
+    return out
+
+
+def fins(skin):
+    """Three blades across the side intake, which rise to the front."""
+    hole = skin.part("intake", "gap_black", {"intake"}).points
+    blades = []
+    for y in (.455, .545, .630):
+        line = lambda z: y + .22 * (z + .76)
+        near = hole[np.abs(hole[:, 1] - line(hole[:, 2])) < .05]
+        low, high = near[:, 2].min() - .004, near[:, 2].max() + .004
+        x = near[:, 0].min() - .018
+        outline = [(z, line(z) + h) for z, h in ((low, -.004), (high, -.004), (high, .004), (low, .004))]
+        blades.append(plate("intake_fins", "gloss_black", outline, x - .05, x, axes=(2, 1), up=0))
+    return joined("intake_fins", blades)
+
+
+def openings(skin):
+    """Meshes, walls and darkness behind the other holes."""
+    out = mouths(skin)
+    frame = skin.part("intake_frame", "gloss_black", {"intake_frame"}, offset=-.002, fold=.01)
+    out += pair(frame) + pair(fins(skin))
+    for name, depth, axes, back, ahead in (("vent", .025, (0, 1), .06, (0, 0, 1.0)), ("intake", .075, (2, 1), .13, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
+        push = lambda d: (lambda p, n: p + np.array(ahead) * d)
+        out += pair(skin.part(name + "_walls", "trim_black", {name}, fold=back, lip=.004, walls=True))
+        out += pair(planar(skin.part(name + "_mesh", "grille", {name}, shift=push(depth)), axes, 14))
+        out += pair(skin.part(name + "_back", "gap_black", {name}, shift=push(back)))
     return out
 
 

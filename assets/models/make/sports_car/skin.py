@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from mesh import Part, face_normals, unit
+from edges import folded, rim
+from mesh import Part, area, face_normals, unit
 
 NEAR = 2.5e-4
 # What a line between regions may move when it is simplified.
@@ -22,10 +23,10 @@ class Skin:
         self.normals = None
 
     def shade(self):
-        area = face_normals(self.points, self.faces)
+        sizes = face_normals(self.points, self.faces)
         normals = np.zeros_like(self.points)
         for k, f in enumerate(self.faces):
-            normals[f] += area[k]
+            normals[f] += sizes[k]
         on_axis = np.abs(self.points[:, 0]) < 1e-6
         normals[on_axis, 0] = 0
         self.normals = unit(normals)
@@ -160,9 +161,8 @@ class Skin:
         self.order = order
         self.faces, self.tags, self.labels, self.parents = faces, tags, labels, parents
 
-    def weld(self, shorter=.0075, straight=.03):
-        """Collapses short edges, towards the corner where more regions meet, so that no line between regions moves. Along such a
-        line edges are joined up to the length `straight`, where it bends by nothing that is seen."""
+    def borders(self):
+        """Of each corner the regions about it; of each edge the regions on its sides; of corners on lines between regions, the next ones."""
         around, sides = {}, {}
         for f, l in zip(self.faces, self.labels):
             for a, b in zip(f, f[1:] + f[:1]):
@@ -173,6 +173,12 @@ class Skin:
             if len(set(labels)) == 2:
                 lines.setdefault(a, []).append(b)
                 lines.setdefault(b, []).append(a)
+        return around, sides, lines
+
+    def weld(self, shorter=.0075, straight=.03):
+        """Collapses short edges, towards the corner where more regions meet, so that no line between regions moves. Along such a
+        line edges are joined up to the length `straight`, where it bends by nothing that is seen."""
+        around, sides, lines = self.borders()
 
         def bends(drop, keep):
             """How far a corner of a line lies from the edge that would take its place."""
@@ -183,12 +189,28 @@ class Skin:
             t = np.clip((self.points[drop] - a) @ (b - a) / max((b - a) @ (b - a), 1e-12), 0, 1)
             return np.linalg.norm(self.points[drop] - a - t * (b - a))
 
+        holders = {}
+        for k, f in enumerate(self.faces):
+            for v in f:
+                holders.setdefault(v, []).append(k)
+
         goal, busy = {}, set()
+
+        def turns(drop, keep):
+            """Whether a face would be folded over."""
+            for k in holders[drop]:
+                row = [goal.get(v, v) for v in self.faces[k]]
+                moved = [keep if v == drop else v for v in row]
+                moved = [v for i, v in enumerate(moved) if v != moved[i - 1]]
+                if len(set(moved)) > 2 and area(self.points[moved]) @ area(self.points[row]) < 0:
+                    return True
+            return False
+
         for (a, b), labels in sides.items():
             if a in busy or b in busy:
                 continue
             length = np.linalg.norm(self.points[a] - self.points[b])
-            if shorter < length < straight and bends(b, a) < BEND:
+            if shorter < length < straight and bends(b, a) < BEND and not turns(b, a):
                 goal[b] = a
                 busy |= {*lines[b], b}
                 continue
@@ -200,6 +222,8 @@ class Skin:
             if m == n and m > 1 and len(set(labels)) < 2:
                 continue
             keep, drop = (a, b) if m >= n else (b, a)
+            if turns(drop, keep):
+                continue
             goal[drop] = keep
             for f in (a, b):
                 busy.add(f)
@@ -211,6 +235,25 @@ class Skin:
         for name in ("labels", "tags", "parents", "order"):
             setattr(self, name, [getattr(self, name)[k] for k in good])
         self.faces = [rows[k] for k in good]
+
+    def mend(self, longest=6):
+        """Fills the holes of a few edges that collapsing others left."""
+        after = {}
+        for a, b in rim(self.points, self.faces):
+            after.setdefault(b, []).append(a)
+        side = {(a, b): k for k, f in enumerate(self.faces) for a, b in zip(f, f[1:] + f[:1])}
+        done = set()
+        for start in sorted(after):
+            loop = [start]
+            while len(loop) <= longest and len(after.get(loop[-1], ())) == 1 and after[loop[-1]][0] not in loop:
+                loop.append(after[loop[-1]][0])
+            if len(loop) < 3 or len(loop) > longest or after.get(loop[-1]) != [start] or done & set(loop):
+                continue
+            done |= set(loop)
+            near = side[loop[1], loop[0]]
+            self.faces.append(loop)
+            for row in (self.labels, self.tags, self.parents, self.order):
+                row.append(row[near])
 
     def flat(self, four):
         """Whether the middles of the edges and the centre lie on the larger face, as far as `within` says."""
@@ -246,42 +289,3 @@ class Skin:
             return Part(name, material, np.concatenate([p, extra[0]]), extra[1], np.concatenate([n, extra[2]]), extra[3]).flipped()
         return Part(name, material, np.concatenate([p, extra[0]]), faces + extra[1],
                     np.concatenate([n, extra[2]]), faces + extra[3])
-
-
-def rim(points, faces):
-    """Directed edges with a face on one side alone, those on x = 0 left out."""
-    seen = {(a, b) for f in faces for a, b in zip(f, f[1:] + f[:1])}
-    axis = np.abs(points[:, 0]) < 1e-6
-    return [(a, b) for a, b in seen if (b, a) not in seen and not (axis[a] and axis[b])]
-
-
-def folded(points, normals, faces, depth, lip):
-    """A rounded edge of radius `lip` and a wall of `depth` along the rim. Points, faces, normals, normal corners."""
-    edges = sorted(rim(points, faces))
-    out = {}
-    for a, b in edges:
-        for v in (a, b):
-            d = np.cross(points[b] - points[a], normals[v])
-            out[v] = out.get(v, 0) + d
-    ids = sorted(out)
-    n = normals[ids]
-    d = np.array([out[v] for v in ids])
-    d = unit(d - n * (d * n).sum(1, keepdims=True))
-    axis = np.abs(points[ids, 0]) < 1e-6
-    d[axis, 0] = 0
-    d = unit(d)
-    base = points[ids]
-    rings = [base + d * lip - n * lip, base + d * lip - n * (lip + depth)]
-    ring_normals = [d, d]
-    where = {v: k for k, v in enumerate(ids)}
-    m, count, total = len(ids), len(points), len(normals)
-    new_faces, corners = [], []
-    for a, b in edges:
-        i, j = where[a], where[b]
-        for r in range(2):
-            upper = (a, b) if r == 0 else (count + (r - 1) * m + i, count + (r - 1) * m + j)
-            upper_n = (a, b) if r == 0 else (total + (r - 1) * m + i, total + (r - 1) * m + j)
-            lower = (count + r * m + i, count + r * m + j)
-            new_faces.append([upper[1], upper[0], lower[0], lower[1]])
-            corners.append([upper_n[1], upper_n[0], total + r * m + i, total + r * m + j])
-    return np.concatenate(rings), new_faces, np.concatenate(ring_normals), corners

@@ -83,34 +83,59 @@ def concrete(folder):
     save(folder, "paving.jpg", np.where((joint < 2)[..., None], 70, picture), 84)
 
 
-def plants(folder):
-    value = noise(1024, ((6, 1), (16, .8), (60, .8), (200, 1), (400, 1.2)), 20)
-    dry = np.clip(noise(1024, ((5, 1), (13, 1), (40, .6)), 21)[..., None] * 2.4 - .8, 0, 1)
-    save(folder, "grass.jpg", tinted(value, (34, 50, 16), (112, 130, 58)) * (1 - .5 * dry) + .5 * dry * (146, 134, 78), 76)
+def foliage(size, count, seed, long, tones):
+    """Four cells of leaves, each a round heap of another tone, cut out by alpha."""
+    rng = np.random.default_rng(seed)
+    sheet = Image.new("RGBA", (2 * size, 2 * size), (*tones[0], 0))
+    for cell, tone in enumerate(tones):
+        picture = Image.new("RGBA", (size, size), (*tone, 0))
+        draw = ImageDraw.Draw(picture)
+        for _ in range(count):
+            a, r = rng.random() * 6.28, (.5 * size - long[1] * 1.1) * np.sqrt(rng.random())
+            x, y, t, s = size / 2 + r * np.cos(a), size / 2 + r * np.sin(a), rng.random() * 6.28, rng.uniform(*long)
+            leaf = [(s * np.cos(u) * 1.25, s * np.sin(u) * .55) for u in np.linspace(0, 6.28, 9)[:-1]]
+            g = rng.uniform(.62, 1.32)
+            draw.polygon([(x + p * np.cos(t) - q * np.sin(t), y + p * np.sin(t) + q * np.cos(t)) for p, q in leaf], fill=(*(int(c * g) for c in tone), 255))
+        # The first cells are at the foot of the picture, where v is 0.
+        sheet.paste(picture, (cell % 2 * size, (1 - cell // 2) * size))
+    return sheet
+
+
+def blades(size, count, tones):
+    """Four cells of grass."""
     rng = np.random.default_rng(22)
-    picture = Image.new("RGBA", (512, 256), (84, 100, 44, 0))
-    draw = ImageDraw.Draw(picture)
-    for _ in range(110):
-        x, lean, high, w = rng.uniform(20, 492), rng.normal(0, 34), rng.uniform(90, 245), rng.uniform(2.5, 5)
-        g = rng.uniform(.7, 1.25)
-        colour = (int(88 * g), int(108 * g), int(46 * g), 255)
-        draw.polygon([(x - w, 256), (x + w, 256), (x + w * .6 + lean * .4, 256 - high * .6), (x + lean, 256 - high), (x - w * .6 + lean * .4, 256 - high * .6)], fill=colour)
-    save(folder, "blades.png", picture)
-    picture = Image.new("RGBA", (256, 256), (62, 84, 34, 0))
-    draw = ImageDraw.Draw(picture)
-    for _ in range(130):
-        a, r = rng.random() * 6.28, 118 * np.sqrt(rng.random())
-        x, y, t, s = 128 + r * np.cos(a), 128 + r * np.sin(a), rng.random() * 6.28, rng.uniform(8, 15)
-        g = rng.uniform(.65, 1.3)
-        leaf = [(s * np.cos(u) * 1.25, s * np.sin(u) * .55) for u in np.linspace(0, 6.28, 9)[:-1]]
-        draw.polygon([(x + p * np.cos(t) - q * np.sin(t), y + p * np.sin(t) + q * np.cos(t)) for p, q in leaf], fill=(int(70 * g), int(96 * g), int(38 * g), 255))
-    save(folder, "leaves.png", picture)
-    fields = noise(512, ((5, 1), (11, .6)), 24, (1, 2))
-    woods = np.clip((noise(512, ((7, 1), (18, .7), (50, .35)), 25, (1, 1.6)) - .52) * 9, 0, 1)[..., None]
-    leaf = noise(512, ((90, 1), (180, 1)), 26)
-    land = tinted(fields, (104, 116, 78), (150, 150, 104)) * (1 - woods) + woods * tinted(leaf, (56, 74, 54), (92, 106, 80))
+    sheet = Image.new("RGBA", (2 * size, 2 * size), (*tones[0], 0))
+    for cell, tone in enumerate(tones):
+        picture = Image.new("RGBA", (size, size), (*tone, 0))
+        draw = ImageDraw.Draw(picture)
+        for _ in range(count):
+            x, lean, high, w = size * rng.uniform(.06, .94), rng.normal(0, size * .09), size * rng.uniform(.3, .95), size * rng.uniform(.006, .012)
+            g = rng.uniform(.7, 1.25)
+            outline = [(x - w, size), (x + w, size), (x + w * .6 + lean * .4, size - high * .6), (x + lean, size - high), (x - w * .6 + lean * .4, size - high * .6)]
+            draw.polygon(outline, fill=(*(int(c * g) for c in tone), 255))
+        sheet.paste(picture, (cell % 2 * size, (1 - cell // 2) * size))
+    return sheet
+
+
+def plants(folder):
+    value = noise(1024, ((6, .5), (16, .6), (60, .9), (200, 1.2), (400, 1.4)), 20)
+    dry = np.clip(noise(1024, ((5, 1), (13, 1), (40, .6), (160, .5)), 21)[..., None] * 2.4 - .7, 0, 1)
+    save(folder, "grass.jpg", tinted(value, (54, 68, 25), (126, 140, 66)) * (1 - .5 * dry) + .5 * dry * (154, 140, 82), 76)
+    save(folder, "blades.png", blades(256, 60, ((80, 100, 42), (92, 110, 46), (86, 104, 44), (118, 118, 62))))
+    save(folder, "leaves.png", foliage(192, 190, 23, (5, 10), ((70, 96, 38), (84, 104, 42), (60, 84, 40), (102, 108, 44))))
+    save(folder, "wood.png", foliage(192, 700, 27, (2.2, 4.8), ((62, 82, 40), (78, 92, 42), (52, 72, 42), (98, 98, 46))))
+    hills(folder)
+
+
+def hills(folder):
+    """Fields and woods under haze, which is thickest at their foot."""
+    fields = noise(512, ((5, 1), (11, .8), (24, .5)), 24, (1, 2))
+    woods = np.clip((noise(512, ((9, 1), (26, 1), (70, .8)), 25, (1, .8)) - .50) * 5, 0, 1)[..., None] * .8
+    leaf = noise(512, ((90, 1), (180, 1)), 26, (1, .6))
+    land = tinted(fields, (104, 112, 74), (142, 138, 94)) * (1 - woods) + woods * tinted(leaf, (66, 82, 58), (94, 106, 76))
     up = np.linspace(1, 0, 512)[:, None, None]
-    save(folder, "hills.jpg", land * (.80 - .15 * up) + (.20 + .15 * up) * np.array((150, 166, 184)), 80)
+    haze = .50 - .24 * up
+    save(folder, "hills.jpg", land * (1 - haze) + haze * np.array((150, 160, 178)), 80)
 
 
 def car(folder):

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from letters import text
 from mesh import joined, smooth
 from shapes import lathe, oriented, turned
 
@@ -13,24 +14,37 @@ REAR_WHEEL = (.1525, .3455, .260)
 def tyre(half, radius, rim):
     """Outer sidewall to inner sidewall over the tread. Two grooves round its outer half, and slots across the shoulders."""
     h, r = half, radius
-    side = [(h - .018, rim - .008), (h - .006, rim - .002), (h - .004, rim + .006), (h + .002, rim + .014), (h + .006, rim + .030),
-            (h + .007, rim + .045), (h + .004, r - .026), (h - .003, r - .014), (h - .012, r - .0065), (h - .024, r - .0025)]
+    side = [(h - .018, rim - .008), (h - .006, rim - .002), (h + .001, rim + .003), (h + .0045, rim + .006), (h + .0045, rim + .011), (h + .0005, rim + .014),
+            (h + .004, rim + .026), (h + .005, r - .031), (h + .0065, r - .029), (h + .0065, r - .025), (h + .003, r - .023),
+            (h - .003, r - .014), (h - .012, r - .0065), (h - .024, r - .0025)]
     tread = []
     for k, g in enumerate((.42, .14)):
         x = h * g * 1.25
         w, deep = .0048, .0075
         tread += [(x + w, r - .0008 * (1 - k)), (x + w - .001, r - deep), (x - w + .001, r - deep), (x - w, r)]
     outer = side + tread
-    profile = outer + [(-x, y) for x, y in [(h * .5, r - .0015)] + side[9:5:-1] + side[4::-2]]
+    profile = outer + [(-x, y) for x, y in [(h * .5, r - .0015)] + side[13:9:-1] + side[6::-2]]
     pitch = 21
 
     def slots(x, rr, turn):
         phase = (turn * pitch / (2 * np.pi) + np.abs(x) * 9) % 1
         shoulder = (np.abs(x) > h * .60) & (np.abs(x) < h - .004) & (rr > r - .02)
         rib = (np.abs(np.abs(x) - h * .34) < h * .14) & (rr > r - .003)
-        return x, rr - np.where(shoulder & (phase < .24), .0055, 0) - np.where(rib & (phase < .24), .0035, 0)
+        return x, rr - np.where(shoulder & (phase < .3), .0075, 0) - np.where(rib & (phase < .3), .0045, 0)
 
     return oriented(lathe("tyre", "tyre", profile, pitch * 3, 32, bend=slots))
+
+
+def lettering(half, radius, rim, side):
+    """The maker's name, twice round the outer sidewall; `side` -1 writes it backwards, for a wheel that is mirrored."""
+    middle, height = (rim + radius - .020) / 2, .021
+    words = []
+    for start in (.5 * np.pi, 1.5 * np.pi):
+        def place(across, up, out):
+            turn = start + side * across / middle
+            return half + .0025 + out, (middle + up) * np.sin(turn), (middle + up) * np.cos(turn)
+        words.append(text("tyre_letters", "tyre_letters", "LUCERNA", height, .0022, place, .2, .5))
+    return joined("tyre_letters", words)
 
 
 def barrel(half, rim):
@@ -39,7 +53,10 @@ def barrel(half, rim):
     profile = [(h - .004, r + .001), (h - .001, r - .002), (h - .002, r - .007), (h - .008, r - .010), (h - .020, r - .012), (h - .030, r - .020), (h - .055, r - .026),
                (-h + .03, r - .030), (-h + .006, r - .012), (-h + .001, r - .006), (-h + .002, r), (-h + .010, r - .001), (-h + .022, r - .014), (-h + .05, r - .022),
                (h - .05, r - .018), (h - .022, r - .006), (h - .012, r)]
-    return oriented(lathe("rim", "rim", profile, 44, 40, closed=True))
+    steps = 44
+    dish = oriented(lathe("rim", "rim", profile, steps, 40, closed=True))
+    lip = lambda k: k < 4 * steps
+    return [dish.only(lambda k: not lip(k)), dish.moved(name="rim_lip").only(lip, "rim_cut")]
 
 
 def spokes(half, rim):
@@ -59,11 +76,15 @@ def spokes(half, rim):
                 path.append((x, r, spread))
                 sections.append([(-w, 0), (-w * .55, d * .42), (w * .55, d * .42), (w, 0), (w * .8, -d * 1.3), (-w * .8, -d * 1.3)])
             out.append(bar(path, sections).moved(turned(0, 72 * k)))
-    return joined("spokes", out)
+    # Their fronts are cut bright, the rest is painted.
+    m = len(sections[0])
+    front = lambda k: k < m * (len(path) - 1) and k % m == 1
+    return [joined("spokes", [part.only(lambda k: not front(k)) for part in out]),
+            joined("spoke_fronts", [part.only(front, "rim_cut") for part in out])]
 
 
 def bar(path, sections):
-    """A bar along +y: sections as (across z, along x)."""
+    """A bar along +y: sections as (across z, along x), whose face between the second and third corner looks ahead."""
     m = len(sections[0])
     points = [(p[0] + s[1], p[1], p[2] + s[0]) for p, section in zip(path, sections) for s in section]
     n = len(path)
@@ -114,7 +135,7 @@ def wheel(kind, name, at, side, steer=0.0):
     still, caliper = brake(half, rim, kind is FRONT_WHEEL)
     caliper = caliper.moved(turned(0, -62 if kind is FRONT_WHEEL else 62))
     turn = turned(0, 11.0 * (1 + at[2]))
-    rolling = [tyre(*kind), barrel(half, rim), spokes(half, rim)] + hub(half)
+    rolling = [tyre(*kind), lettering(*kind, side)] + barrel(half, rim) + spokes(half, rim) + hub(half)
     parts = [p.moved(turn) for p in rolling] + still + [caliper]
     out = []
     for part in parts:

@@ -1,0 +1,138 @@
+"""Trees, the edge of a wood, and tufts of grass: leaves are cards, whose shape is cut out by alpha."""
+
+import numpy as np
+
+from land import rise
+from mesh import Part, joined, unit
+from road import WALL
+from shapes import disk, sweep
+
+# Where trees stand, and how tall they are.
+TREES = ((-9, 13, 6.2), (-13, 22, 7.5), (-11, -14, 6.5), (-17, -24, 8.5), (-21, 6, 8), (-26, 34, 9), (-10, 42, 7), (-30, -8, 9.5),
+         (-14, -46, 8), (-38, 20, 10), (-9.5, 70, 7.5), (-24, -70, 9))
+# A picture of cards is four cells, each of another tone.
+CELLS = ((0, 0), (.5, 0), (0, .5), (.5, .5))
+
+
+class Cards:
+    """Rectangles that show one cell of a picture."""
+
+    def __init__(self, rng):
+        self.rng, self.centres, self.ups, self.rights, self.cells = rng, [], [], [], []
+
+    def add(self, centre, up, right, cell=None):
+        self.centres.append(centre)
+        self.ups.append(up)
+        self.rights.append(right)
+        self.cells.append(int(self.rng.integers(4)) if cell is None else cell)
+
+    def leaf(self, centre, outwards, size, cell):
+        """A card that looks about outwards."""
+        d = unit(np.asarray(outwards) + self.rng.normal(0, .55, 3))
+        u = unit(np.cross(d, self.rng.normal(0, 1, 3)))
+        self.add(centre, u * size, np.cross(u, d) * size, cell)
+
+    def part(self, name, material):
+        points, faces, uv_corners = [], [], []
+        uvs = [(a + .5 * x, b + .5 * y) for a, b in CELLS for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        for c, u, r, cell in zip(self.centres, self.ups, self.rights, self.cells):
+            k = len(points)
+            points += [c - r - u, c + r - u, c + r + u, c - r + u]
+            faces.append([k, k + 1, k + 2, k + 3])
+            uv_corners.append([4 * cell + i for i in range(4)])
+        normals = unit(np.cross(self.rights, self.ups))
+        return Part(name, material, points, faces, normals, [[k] * 4 for k in range(len(faces))], uvs, uv_corners)
+
+
+def branch(start, heading, length, radius, steps=4, lift=.25):
+    """A limb that bends upwards: its path and its bark."""
+    t = np.linspace(0, 1, steps)[:, None]
+    path = np.asarray(start) + heading * length * t + np.array((0, lift * length, 0)) * t * t
+    return path, sweep("trunks", "bark", path, [disk(radius * (1 - .75 * s), 6) for s in t[:, 0]], 60)
+
+
+def tree(x, z, tall, rng, leaves, trunks, dense):
+    """A trunk, limbs all round from a third of its height, twigs on the limbs, and leaves about the twigs' outer halves."""
+    foot = np.array((x, rise(x, z) - .2, z))
+    lean = rng.normal(0, .05, 2) * tall
+    steps = np.linspace(0, 1, 7)
+    trunk = np.array([foot + (lean[0] * t * t, tall * .80 * t, lean[1] * t * t) for t in steps])
+    trunks.append(sweep("trunks", "bark", trunk, [disk(.024 * tall * (1.1 - .95 * t) * (1.5 if t == 0 else 1), 9) for t in steps], 60))
+    tone = int(rng.integers(4))
+    twigs = [trunk[4:]]
+    limbs = 13
+    for k in range(limbs):
+        t = .30 + .62 * k / (limbs - 1)
+        a = k * 2.4 + rng.normal(0, .3)
+        start = np.array([np.interp(t, steps, trunk[:, i]) for i in range(3)])
+        heading = unit(np.array((np.cos(a), .25 + .9 * t * t, np.sin(a))))
+        length = tall * (.40 * np.sqrt(max(0, 1 - ((t - .52) / .62) ** 2)) + rng.normal(0, .025))
+        path, bark = branch(start, heading, length, .010 * tall * (1.2 - t))
+        trunks.append(bark)
+        twigs.append(path[2:])
+        for s in (-1, 1):
+            side = unit(heading + s * .8 * np.cross(heading, (0, 1, 0)) + rng.normal(0, .2, 3))
+            path_of_twig, bark = branch(path[1] + (path[2] - path[1]) * rng.random(), side, length * rng.uniform(.40, .62), .005 * tall, 3)
+            trunks.append(bark)
+            twigs.append(path_of_twig[1:])
+    middle = trunk[5]
+    for twig in twigs:
+        for _ in range(dense):
+            s = rng.random() * (len(twig) - 1)
+            at = twig[int(s)] * (1 - s % 1) + twig[int(s) + 1] * (s % 1) + rng.normal(0, .040, 3) * tall * (1, .75, 1)
+            leaves.leaf(at, unit(at - middle) + (0, .5, 0), rng.uniform(.030, .052) * tall, tone if rng.random() < .6 else None)
+
+
+def trees():
+    trunks, leaves = [], Cards(np.random.default_rng(299))
+    for n, (x, z, tall) in enumerate(TREES):
+        tree(x, z, tall, np.random.default_rng(300 + n), leaves, trunks, 21 if np.hypot(x, z) < 30 else 15)
+    return [joined("trunks", trunks), leaves.part("leaves", "leaves")]
+
+
+def wood():
+    """The edge of a wood beyond the meadow: crowns that stand close, in three rows, the last the tallest."""
+    rng = np.random.default_rng(500)
+    cards = Cards(rng)
+    for row, (away, low, high) in enumerate(((58, 2.2, 4.5), (64, 5, 8), (71, 7, 11.5))):
+        z = -210.0
+        while z < 210:
+            x = -away - 5 * np.sin(z * .03 + 2) - rng.normal(0, 1.5)
+            # Here and there a gap, through which one sees the hills.
+            tall = rng.uniform(low, high) * (1 - .75 * np.exp(-((z + 62) / 16) ** 2)) * (1 - .6 * np.exp(-((z - 48) / 12) ** 2))
+            wide = tall * rng.uniform(.42, .62) + 1.0
+            foot = np.array((x, rise(x, z) - .3, z))
+            tone = int(rng.integers(4))
+            for _ in range(13):
+                d = unit(rng.normal(0, 1, 3) + (.6, .3, 0))
+                at = foot + d * (wide * .62, tall * .42, wide * .8) + (0, tall * .50, 0)
+                cards.leaf(at, d, rng.uniform(.20, .32) * (1.2 + .55 * tall), tone if rng.random() < .7 else None)
+            z += wide * rng.uniform(.75, 1.25)
+    return [cards.part("wood", "wood")]
+
+
+def tufts():
+    """Blades along the foot and the back of the wall, and over the meadow near it."""
+    rng = np.random.default_rng(77)
+    cards = Cards(rng)
+
+    def add(x, y, z, size, wide):
+        a = rng.uniform(-.7, .7) + (np.pi / 2 if rng.random() < .7 else 0)
+        r = np.array((np.cos(a), 0, np.sin(a))) * wide
+        u = np.array((rng.normal(0, .15), 1, rng.normal(0, .15))) * size / 2
+        cards.add(np.array((x, y + size / 2 - .01, z)), u, r)
+
+    for _ in range(150):
+        add(WALL + rng.uniform(.015, .07), .105, rng.uniform(-16, 16), rng.uniform(.05, .16), rng.uniform(.05, .12))
+    for _ in range(900):
+        z = rng.uniform(-34, 30)
+        x = WALL - .38 - abs(rng.normal(0, .5))
+        add(x, rise(x, z), z, rng.uniform(.25, .6), rng.uniform(.2, .45))
+    for _ in range(1300):
+        z, x = rng.uniform(-40, 34), WALL - 1 - 16 * rng.random() ** 1.5
+        add(x, rise(x, z), z, rng.uniform(.10, .26), rng.uniform(.2, .42))
+    return [cards.part("tufts", "blades")]
+
+
+def all_parts():
+    return trees() + wood() + tufts()
