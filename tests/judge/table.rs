@@ -53,7 +53,7 @@ const PHONG: &str = "lib/bsdf/phong";
 const MIXTURE: &str = "lib/bsdf/mixture";
 const LIGHT: &str = "lib/light";
 const SAMPLING: &str = "lib/sampling";
-const FOUND: &str = "light *= power_heuristic((*state).pdf, light_pdf(params, material, mean, area_normal, (*state).direction, hit.t));";
+const FOUND: &str = "light *= power_heuristic((*state).pdf, light_pdf(params, material, mean, area_normal, (*state).direction, distance));";
 const SAMPLED: &str = "var weight = power_heuristic(drawn.pdf, at.pdf);";
 const SURVIVAL: &str = "largest_of((*state).throughput) * (*state).eta_scale";
 
