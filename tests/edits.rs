@@ -203,6 +203,7 @@ fn a_scene_far_from_zero_is_the_scene_at_zero() {
             lights: Default::default(),
             film: Film { size: UVec2::splat(16), ..Default::default() },
             render: Render { spp: 8, ..Default::default() },
+            shader: Default::default(),
             environment: None,
         };
         pixels(&mut Engine::open(support::gpu(), Library::shipped(), &description).unwrap())
@@ -234,6 +235,7 @@ fn two_quads() -> SceneDescription {
         lights: Default::default(),
         film: Film { size: UVec2::splat(16), ..Default::default() },
         render: Render { spp: 4, ..Default::default() },
+        shader: Default::default(),
         environment: Some(Environment::Constant(Vec3::splat(0.25))),
     }
 }

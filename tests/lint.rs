@@ -6,6 +6,7 @@ use std::time::Instant;
 use glam::Vec3;
 use lucerna::components::{Energy, Lobe, Material, Passage};
 use lucerna::cpu::lint::Flaw;
+use lucerna::gpu::Values;
 use lucerna::layout::trace::MaterialRecord;
 use lucerna::prepare::material;
 use lucerna::shader::Library;
@@ -57,7 +58,9 @@ fn surfaces() -> Vec<Named> {
 fn lint(library: &Library, surfaces: &[Named], views: &[f64], seed: u32) -> Vec<Finding> {
     surfaces
         .chunks(1)
-        .flat_map(|one| run(&support::gpu(), library.clone(), one, views, seed, || true).unwrap().unwrap())
+        .flat_map(|one| {
+            run(&support::gpu(), library.clone(), one, views, (seed, &Values::new()), || true).unwrap().unwrap()
+        })
         .collect()
 }
 
@@ -132,7 +135,8 @@ fn planted_mistakes_are_found() {
 #[test]
 fn a_warning_names_what_and_where() {
     let halved = planted("lib/bsdf/lambert", "return INV_PI * cos_theta;", "return 0.5 * INV_PI * cos_theta;");
-    let found = run(&support::gpu(), halved, &[pack("model:floor", grey(0.5, 0.0))], &[30.0], 1, || true);
+    let found =
+        run(&support::gpu(), halved, &[pack("model:floor", grey(0.5, 0.0))], &[30.0], (1, &Values::new()), || true);
     let texts: Vec<String> = found.unwrap().unwrap().iter().map(Finding::to_string).collect();
     let text = texts.iter().find(|text| text.contains("evaluate's pdf")).unwrap();
     assert!(text.contains("come to 0.5") || text.contains("come to 0.49"), "{text}");
@@ -154,10 +158,13 @@ fn one_of_each_kind_is_looked_at() {
 fn an_unwanted_lint_ends() {
     let surfaces = [pack("floor", grey(0.5, 0.0))];
     let begin = Instant::now();
-    assert_eq!(run(&support::gpu(), Library::shipped(), &surfaces, &VIEWS, 1, || false).unwrap(), None);
+    assert_eq!(
+        run(&support::gpu(), Library::shipped(), &surfaces, &VIEWS, (1, &Values::new()), || false).unwrap(),
+        None
+    );
     println!("a lint that ends early: {:?}", begin.elapsed());
     let begin = Instant::now();
-    run(&support::gpu(), Library::shipped(), &self::surfaces(), &VIEWS, 1, || true).unwrap();
+    run(&support::gpu(), Library::shipped(), &self::surfaces(), &VIEWS, (1, &Values::new()), || true).unwrap();
     println!("a lint of eight kinds: {:?}", begin.elapsed());
 }
 

@@ -11,7 +11,7 @@ use lucerna::layout::tree::Triangle;
 use lucerna::layout::view::ViewParams;
 use lucerna::passes::table::TABLE;
 use lucerna::passes::tree::PLAN;
-use lucerna::passes::{Makes, Recording, Twin, film, trace, view};
+use lucerna::passes::{Makes, Recording, Twin, debug, film, trace, view};
 use lucerna::shader::{Features, Library};
 
 #[test]
@@ -91,6 +91,7 @@ fn recordings(purpose: Makes) -> Vec<Recording> {
             vec![record(&|recording| {
                 film::record_display(recording, 1, 0, 0.0);
                 view::record(recording, &ViewParams { trace_params, ..ViewParams::default() });
+                debug::record(recording, &TraceParams { layers: 1, ..trace_params });
             })]
         }
     }

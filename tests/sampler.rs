@@ -43,6 +43,7 @@ static DRAW_KEYS: Pass = Pass {
     name: "draw_keys",
     module: "tests/sampler",
     entry: "draw_keys",
+    features: &[],
     bindings: &[
         Binding::params("SamplerProbe"),
         Binding::read("keys", "array<vec4<u32>>"),

@@ -62,6 +62,7 @@ macro_rules! probe {
             name: $entry,
             module: "tests/sky",
             entry: $entry,
+            features: &[],
             bindings: &[Binding::params("TraceParams"), $($binding),+],
             makes: &[],
             twin: lucerna::passes::Twin::None("of a test"),

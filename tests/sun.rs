@@ -43,6 +43,7 @@ static DRAW: Pass = Pass {
     name: "draw_keys_of_sun",
     module: "tests/sun",
     entry: "draw_keys_of_sun",
+    features: &[],
     bindings: &[
         Binding::params("TraceParams"),
         Binding::write("probed", "array<vec4<f32>>"),

@@ -229,6 +229,7 @@ static DIFFER: Pass = Pass {
     name: "differ",
     module: "passes/differ",
     entry: "differ",
+    features: &[],
     bindings: &[
         Binding::read("found", "array<u32>"),
         Binding::read("expected", "array<u32>"),

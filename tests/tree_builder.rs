@@ -49,6 +49,7 @@ fn describe(triangles: &[Triangle]) -> SceneDescription {
         lights: Default::default(),
         film: Film { size: UVec2::splat(8), ..Default::default() },
         render: Render { spp: 1, max_depth: 3, ..Default::default() },
+        shader: Default::default(),
         environment: Some(Environment::Constant(Vec3::splat(0.25))),
     }
 }

@@ -55,6 +55,7 @@ static UNPACK: Pass = Pass {
     name: "unpack",
     module: "tests/unpack",
     entry: "unpack",
+    features: &[],
     bindings: &[Binding::read("structs", "array<vec4<u32>>"), Binding::write("fields", "array<u32>")],
     makes: &[],
     twin: Twin::None("of a test"),

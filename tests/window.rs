@@ -13,8 +13,11 @@ mod lens;
 mod live;
 mod maps;
 mod navigate;
+#[cfg(target_os = "linux")]
+mod own;
 mod pace;
 mod panel;
+mod parameters;
 #[cfg(target_os = "linux")]
 mod person;
 #[cfg(target_os = "linux")]

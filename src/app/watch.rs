@@ -41,7 +41,7 @@ const IDLE: Duration = Duration::from_millis(200);
 pub fn run(arguments: &WatchArguments) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Done);
     let opened = arguments.flags.open(&arguments.scene, arguments.quiet)?;
-    let library = arguments.flags.library()?;
+    let library = arguments.flags.library(&opened)?;
     let gpu = Gpu::open()?;
     let mut engine = Engine::open(gpu, library.clone(), &opened.description).map_err(Failure::engine)?;
     let quiet = arguments.quiet;

@@ -7,7 +7,7 @@
 //! | texture | `Name`, [`Texture`] |
 //! | camera | `Name`, [`Camera`]; one of them is [`Active`] |
 //! | light | `Name`, [`PointLight`] |
-//! | film | `Name`, [`Film`], [`Render`]: one entity |
+//! | film | `Name`, [`Film`], [`Render`], [`ShaderValues`]: one entity |
 //! | environment | `Name`, [`Environment`]: at most one entity |
 //!
 //! A `Name` is a stable key, unique within its kind (`model/object/3`, `model:material`). Whatever depends on an order
@@ -20,6 +20,7 @@ mod light;
 mod material;
 mod mesh;
 mod rendered;
+mod shader;
 mod texture;
 
 pub use bevy_ecs::name::Name;
@@ -30,6 +31,7 @@ pub use light::{PointLight, SpotCone};
 pub use material::{Lobe, Material, Passage};
 pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};
 pub use rendered::{CameraItem, EnvironmentItem, rendered_camera, rendered_environment};
+pub use shader::{ShaderValue, ShaderValues};
 pub use texture::{Channel, Maps, Reading, Texels, Texture, TextureImage, Wrap};
 
 use bevy_ecs::prelude::World;
@@ -48,5 +50,6 @@ pub fn register(world: &mut World) {
     world.register_component::<PointLight>();
     world.register_component::<Film>();
     world.register_component::<Render>();
+    world.register_component::<ShaderValues>();
     world.register_component::<Environment>();
 }

@@ -1,5 +1,6 @@
 //! The engine: the only door for command line and tests. A scene is opened, edited, read, stepped and shown.
 
+mod debug;
 mod film;
 mod inspect;
 mod report;
@@ -9,10 +10,11 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use bevy_ecs::prelude::*;
-use glam::{DVec3, UVec2};
+use glam::{DVec3, UVec2, Vec4};
 
 pub use crate::systems::EngineError;
 pub use crate::systems::resources::{Spent, TextureUse, TreeBuilder};
+pub use debug::DebugRange;
 pub use film::FilmImage;
 pub use inspect::{Inspected, LookedUp, Seen};
 pub use report::Report;
@@ -21,7 +23,7 @@ use crate::components::{self, Camera, Film, Render};
 use crate::gpu::{Code, Drawn, Fit, Gpu, Paint, Runtime, Shown, Surface};
 use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription};
-use crate::shader::Library;
+use crate::shader::{Library, Parameter};
 use crate::systems::resources::{
     Budget, CompileListener, Device, Frame, Live, SceneGeometry, Shot, Sky, SkySource, Target, Textures, Viewed,
 };
@@ -126,6 +128,16 @@ impl Engine {
         self.world.resource::<Shot>().size()
     }
 
+    /// All parameters that shaders declare, by name.
+    pub fn parameters(&self) -> Arc<[Parameter]> {
+        self.world.resource::<Device>().0.parameters().clone()
+    }
+
+    /// Whether a pass that runs for this scene reads a parameter: known once a step has compiled them.
+    pub fn reads(&self, parameter: &str) -> bool {
+        self.world.resource::<Device>().0.is_read(parameter)
+    }
+
     /// Shader features that the scene needs, as it was last extracted.
     pub fn features(&self) -> &BTreeSet<String> {
         &self.world.resource::<Shot>().features
@@ -193,6 +205,12 @@ impl Engine {
     /// What the picture is to show.
     pub fn view(&self) -> ViewMode {
         self.world.resource::<Viewed>().0
+    }
+
+    /// What shaders showed of themselves, row by row from the top, linear, with 1 behind each colour and all 0 where there is none; none
+    /// unless that is what the picture shows.
+    pub fn debug_colours(&self) -> Result<Option<Vec<Vec4>>, EngineError> {
+        debug::read_debug(&self.world)
     }
 
     /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.

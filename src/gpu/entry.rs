@@ -1,7 +1,7 @@
 //! A row of the pass table against the shader it names.
 
 use crate::passes::{Access, Pass};
-use crate::shader::{EntryPoint, ErrorKind, Features, LOOP_FAULTS, Linked, ResourceKind, ShaderError};
+use crate::shader::{EntryPoint, ErrorKind, Features, LOOP_FAULTS, Linked, ResourceKind, SHADER_VALUES, ShaderError};
 
 /// The entry point that a row names, if the row says just what the shader uses. Everything is found by name, so only the
 /// sets must agree. An error is placed at the binding, or else where the entry point is.
@@ -31,9 +31,14 @@ pub fn checked_entry(pass: &Pass, linked: &Linked, features: &Features) -> Resul
             return fail(row.name, format!("`{}` is in group {}; passes use group 0", row.name, found.group));
         }
     }
-    let known = |name: &str| name == LOOP_FAULTS || expected().any(|row| row.name == name);
+    let known = |name: &str| [LOOP_FAULTS, SHADER_VALUES].contains(&name) || expected().any(|row| row.name == name);
     match entry.bindings.iter().find(|b| !known(&b.name)) {
         Some(extra) => fail(&extra.name, format!("pass `{}` has no buffer `{}`", pass.name, extra.name)),
         None => Ok(entry),
     }
+}
+
+/// What a pass is linked with for a scene of some features.
+pub fn features_of(pass: &Pass, scene: &Features) -> Features {
+    scene.iter().cloned().chain(pass.features.iter().map(|own| (*own).to_owned())).collect()
 }

@@ -15,10 +15,10 @@ mod timing;
 
 pub use buffers::Buffers;
 pub use device::{AdapterSummary, Gpu, adapters};
-pub use entry::checked_entry;
+pub use entry::{checked_entry, features_of};
 pub use error::GpuError;
 pub use picture::{Fit, Shown};
-pub use pipelines::{Code, Compiler};
+pub use pipelines::{Code, Compiler, Values};
 pub use runtime::Runtime;
 pub use surface::{Drawn, Paint, Surface, Target};
 pub use table::{GpuTable, TableRow};

@@ -4,11 +4,17 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::entry::checked_entry;
+use super::entry::{checked_entry, features_of};
 use super::{Gpu, GpuError};
 use crate::passes::table::TABLE;
 use crate::passes::{Access, Pass};
-use crate::shader::{EntryPoint, Features, Library, Linked, Place, ResourceKind, ShaderError, on_large_stack};
+use crate::shader::{
+    EntryPoint, Features, Library, Linked, LinkedParameter, Parameter, Place, ResourceKind, SHADER_VALUES, ShaderError,
+    on_large_stack,
+};
+
+/// What parameters of shaders are set to, by their names; those that are not in here have their defaults. A switch is 0 or 1.
+pub type Values = BTreeMap<String, f64>;
 
 /// Rounds of all loops of one invocation of an edited shader. The longest paths that a scene may ask for take half as many.
 const ROUNDS: u32 = 1 << 18;
@@ -46,15 +52,33 @@ pub struct Use {
     imports: BTreeSet<String>,
     /// Where the loops of an edited shader are in its text as it is now, of which the pipeline may be older.
     loops: Vec<Place>,
+    /// Those of its modules, as the text declares them now, in the order of their words.
+    parameters: Vec<LinkedParameter>,
     pub(super) pipeline: Arc<Pipeline>,
 }
 
 impl Use {
+    /// The words that its parameters come to.
+    fn words(&self, values: &Values) -> Vec<u32> {
+        self.parameters.iter().map(|linked| word(linked, values)).collect()
+    }
+
+    /// Of those words, the ones that it reads, by name.
+    fn read(&self, values: &Values) -> BTreeMap<&str, u32> {
+        let read = self.parameters.iter().filter(|linked| linked.is_read);
+        read.map(|linked| (linked.parameter.name.as_str(), word(linked, values))).collect()
+    }
+
     /// The place of a loop by the number that the shader gives it.
     pub(super) fn place_of_loop(&self, number: u32) -> Option<&Place> {
         let first = self.pipeline.serial.wrapping_mul(LOOPS);
         self.loops.get(number.checked_sub(first + 1)? as usize)
     }
+}
+
+fn word(linked: &LinkedParameter, values: &Values) -> u32 {
+    let parameter = &linked.parameter;
+    parameter.word(parameter.value(values.get(&parameter.name).copied()))
 }
 
 /// Compiles passes on any thread: what pipelines and those who remake them share.
@@ -83,9 +107,12 @@ impl Compiler {
         known: impl Fn(&Pass, &Features, &Linked) -> Option<Arc<Pipeline>> + Sync,
         warn: &(dyn Fn(ShaderError) + Sync),
     ) -> Result<Vec<Use>, GpuError> {
+        library.parameters()?;
         let make = |pass: &'static Pass, features: &Features| -> Result<Use, GpuError> {
-            let mut linked = library.link(pass.module, features)?;
+            let own = features_of(pass, features);
+            let mut linked = library.link(pass.module, &own)?;
             let (key, imports) = (linked.features.clone(), linked.imports.clone());
+            let parameters = linked.parameters.clone();
             let (pipeline, loops) = match known(pass, &key, &linked) {
                 Some(pipeline) if pipeline.limited => (pipeline, linked.limit_loops(self.rounds(), 0)?),
                 Some(pipeline) => (pipeline, Vec::new()),
@@ -93,11 +120,11 @@ impl Compiler {
                     if self.gpu.is_software() {
                         linked.large_variables().into_iter().for_each(warn);
                     }
-                    let (pipeline, loops) = self.compile(pass, linked, features)?;
+                    let (pipeline, loops) = self.compile(pass, linked, &own)?;
                     (Arc::new(pipeline), loops)
                 }
             };
-            Ok(Use { pass, features: features.clone(), key, imports, loops, pipeline })
+            Ok(Use { pass, features: features.clone(), key, imports, loops, parameters, pipeline })
         };
         std::thread::scope(|scope| {
             let make = &make;
@@ -146,6 +173,9 @@ pub struct Pipelines {
     library: Library,
     compiler: Compiler,
     kept: Kept,
+    /// All that the library declares; none where that can't be said, which linking does.
+    parameters: Arc<[Parameter]>,
+    values: Values,
 }
 
 /// The code that passes run, with all that was compiled of it: what is put in the place of what was there, and can be put back.
@@ -156,6 +186,11 @@ pub struct Code {
 }
 
 impl Code {
+    /// All parameters that it declares, by name.
+    pub fn parameters(&self) -> Arc<[Parameter]> {
+        parameters_of(&self.library)
+    }
+
     fn new(library: Library, uses: Vec<Use>) -> Self {
         let kept = uses.iter().map(|used| ((used.pass.name, used.features.clone()), used.clone())).collect();
         Self { library, uses: uses.into_iter().map(|used| (used.pass.name, used)).collect(), kept }
@@ -165,7 +200,8 @@ impl Code {
 impl Pipelines {
     pub fn new(gpu: Arc<Gpu>, library: Library) -> Self {
         let compiler = Compiler { gpu, serial: Arc::default(), in_use: Arc::default(), compiled: Arc::default() };
-        Self { library, compiler, kept: HashMap::new() }
+        let parameters = parameters_of(&library);
+        Self { library, compiler, kept: HashMap::new(), parameters, values: Values::new() }
     }
 
     pub fn library(&self) -> &Library {
@@ -174,6 +210,32 @@ impl Pipelines {
 
     pub fn compiler(&self) -> &Compiler {
         &self.compiler
+    }
+
+    /// All parameters that the library declares, by name.
+    pub fn parameters(&self) -> &Arc<[Parameter]> {
+        &self.parameters
+    }
+
+    pub fn values(&self) -> &Values {
+        &self.values
+    }
+
+    /// Whether any pass in use reads a parameter.
+    pub fn is_read(&self, parameter: &str) -> bool {
+        self.compiler.in_use().values().any(|used| used.read(&self.values).contains_key(parameter))
+    }
+
+    /// Sets parameters from now on. Returns the passes in use that read another value than before.
+    pub fn set_values(&mut self, values: Values) -> Vec<&'static Pass> {
+        let before = std::mem::replace(&mut self.values, values);
+        let in_use = self.compiler.in_use();
+        in_use.values().filter(|used| used.read(&before) != used.read(&self.values)).map(|used| used.pass).collect()
+    }
+
+    /// The words of the parameters of a pass in use.
+    pub fn words(&self, pass: &Pass) -> Vec<u32> {
+        self.compiler.in_use().get(pass.name).map(|used| used.words(&self.values)).unwrap_or_default()
     }
 
     /// The pipeline of `pass` under `features`, compiled if need be.
@@ -235,11 +297,16 @@ impl Pipelines {
         let Code { library, uses: fresh, kept } = code;
         // At once, for whoever compiles meanwhile looks at what is in use.
         let old = std::mem::replace(&mut *self.compiler.in_use(), fresh.clone());
-        let same = |name: &str, used: &Use| old.get(name).is_some_and(|o| Arc::ptr_eq(&o.pipeline, &used.pipeline));
+        let values = &self.values;
+        let same = |name: &str, used: &Use| {
+            let alike = |o: &Use| Arc::ptr_eq(&o.pipeline, &used.pipeline) && o.read(values) == used.read(values);
+            old.get(name).is_some_and(alike)
+        };
         let new = fresh.iter().filter(|(name, used)| !same(name, used)).map(|(_, used)| used.pass);
         // What came into use while the code was compiled is compiled again when it is asked for.
         let gone = old.iter().filter(|(name, _)| !fresh.contains_key(*name)).map(|(_, used)| used.pass);
         let changed = new.chain(gone).collect();
+        self.parameters = parameters_of(&library);
         let library = std::mem::replace(&mut self.library, library);
         let kept = std::mem::replace(&mut self.kept, kept);
         (Code { library, uses: old, kept }, changed)
@@ -284,9 +351,13 @@ impl Compiler {
     }
 }
 
-/// Whether a binding is the pass's parameters.
+fn parameters_of(library: &Library) -> Arc<[Parameter]> {
+    library.parameters().unwrap_or_default().into()
+}
+
+/// Whether a binding is what a call brings along: the pass's own parameters, or those of shaders.
 fn is_params(pass: &Pass, binding: &str) -> bool {
-    pass.bindings.iter().any(|row| row.name == binding && row.access == Access::Params)
+    binding == SHADER_VALUES || pass.bindings.iter().any(|row| row.name == binding && row.access == Access::Params)
 }
 
 fn build(

@@ -7,7 +7,7 @@ use super::pipelines::{Pipeline, Pipelines};
 use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError};
 use crate::passes::{Access, Call, Recording, Size};
-use crate::shader::{Features, LOOP_FAULTS};
+use crate::shader::{Features, LOOP_FAULTS, SHADER_VALUES};
 
 /// What identifies a bind group: its pipeline, and each buffer by name and generation.
 type BindKey = (u32, Vec<(&'static str, u64)>);
@@ -24,7 +24,16 @@ pub struct Player {
     bind_groups: HashMap<BindKey, wgpu::BindGroup>,
     params: Option<wgpu::Buffer>,
     params_generation: u64,
+    params_sent: u64,
     counts: BTreeMap<&'static str, u64>,
+}
+
+/// A call and what is to be sent for it.
+struct Given<'a> {
+    call: &'a Call,
+    pipeline: Arc<Pipeline>,
+    /// Words of the shaders' parameters that it reads.
+    values: Vec<u32>,
 }
 
 /// A call with all that its dispatch needs.
@@ -32,7 +41,8 @@ struct Ready<'a> {
     call: &'a Call,
     pipeline: Arc<Pipeline>,
     bind_group: wgpu::BindGroup,
-    params_offset: Option<u32>,
+    /// Where in the buffer of parameters its own are, and those of shaders: of the bindings that it has, in order.
+    offsets: Vec<u32>,
 }
 
 /// What the player works with.
@@ -49,6 +59,11 @@ impl Player {
         &self.counts
     }
 
+    /// Bytes of parameters sent so far.
+    pub fn params_sent(&self) -> u64 {
+        self.params_sent
+    }
+
     /// Submits all dispatches of a recording, in order.
     pub(super) fn play(
         &mut self,
@@ -60,12 +75,18 @@ impl Player {
         if calls.is_empty() {
             return Ok(());
         }
-        let offsets = self.upload_params(stage.gpu, &calls)?;
-        let mut ready = Vec::with_capacity(calls.len());
-        for (call, params_offset) in calls.into_iter().zip(offsets) {
+        let mut given = Vec::with_capacity(calls.len());
+        for call in calls {
             let pipeline = stage.pipelines.get(call.pass, stage.features)?;
+            let reads_values = pipeline.entry.bindings.iter().any(|bound| bound.name == SHADER_VALUES);
+            let values = if reads_values { stage.pipelines.words(call.pass) } else { Vec::new() };
+            given.push(Given { call, pipeline, values });
+        }
+        let offsets = self.upload_params(stage.gpu, &given)?;
+        let mut ready = Vec::with_capacity(given.len());
+        for (Given { call, pipeline, .. }, offsets) in given.into_iter().zip(offsets) {
             let bind_group = self.bind(stage.gpu, stage.buffers, call, &pipeline)?;
-            ready.push(Ready { call, pipeline, bind_group, params_offset });
+            ready.push(Ready { call, pipeline, bind_group, offsets });
         }
         stage.gpu.guarded("a submission", || encode(&stage, &ready, timer))??;
         for r in &ready {
@@ -74,19 +95,20 @@ impl Player {
         stage.gpu.check_lost()
     }
 
-    /// Packs the parameters of all calls into one buffer. Returns each call's offset in it.
-    fn upload_params(&mut self, gpu: &Gpu, calls: &[&Call]) -> Result<Vec<Option<u32>>, GpuError> {
+    /// Packs the parameters of all calls into one buffer. Returns each call's offsets in it: of its own, and of those of shaders.
+    fn upload_params(&mut self, gpu: &Gpu, calls: &[Given]) -> Result<Vec<Vec<u32>>, GpuError> {
         let align = gpu.limits.min_storage_buffer_offset_alignment as usize;
         let mut bytes: Vec<u8> = Vec::new();
         let mut offsets = Vec::with_capacity(calls.len());
-        for call in calls {
-            if call.params.is_empty() {
-                offsets.push(None);
-                continue;
+        for Given { call, values, .. } in calls {
+            let mut places = Vec::new();
+            for block in [&call.params, bytemuck::cast_slice(values)].into_iter().filter(|block| !block.is_empty()) {
+                bytes.resize(bytes.len().next_multiple_of(align), 0);
+                places.push(bytes.len() as u32);
+                bytes.extend_from_slice(block);
+                self.params_sent += block.len() as u64;
             }
-            bytes.resize(bytes.len().next_multiple_of(align), 0);
-            offsets.push(Some(bytes.len() as u32));
-            bytes.extend_from_slice(&call.params);
+            offsets.push(places);
         }
         // Room behind the last block, since a binding's size is rounded up to 16 bytes.
         bytes.resize((bytes.len() + 16).next_multiple_of(align), 0);
@@ -131,6 +153,11 @@ impl Player {
                 key.push((name, generation ^ (size << 20)));
                 entries.push(entry(found.binding, buffer, size));
             }
+        }
+        if let Some(found) = pipeline.entry.bindings.iter().find(|b| b.name == SHADER_VALUES) {
+            let buffer = self.params.as_ref().expect("invariant: parameters are uploaded before binding");
+            key.push((SHADER_VALUES, self.params_generation));
+            entries.push(entry(found.binding, buffer, u64::from(found.size).next_multiple_of(16)));
         }
         if let Some(found) = pipeline.entry.bindings.iter().find(|b| b.name == LOOP_FAULTS) {
             let Some((buffer, size, generation)) = buffers.get(LOOP_FAULTS) else {
@@ -183,10 +210,7 @@ fn encode(stage: &Stage, ready: &[Ready], mut timer: Option<&mut Timer>) -> Resu
         });
         for r in ready {
             pass.set_pipeline(&r.pipeline.compute);
-            match r.params_offset {
-                Some(offset) => pass.set_bind_group(0, &r.bind_group, &[offset]),
-                None => pass.set_bind_group(0, &r.bind_group, &[]),
-            }
+            pass.set_bind_group(0, &r.bind_group, &r.offsets);
             if let Some(timer) = timer.as_deref_mut() {
                 timer.stamp(&mut pass);
             }

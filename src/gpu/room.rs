@@ -31,6 +31,7 @@ fn growth(name: &str) -> Option<(Grows, usize)> {
         "film" => (Grows::Film, size_of::<FilmPixel>()),
         "radiance" => (Grows::Film, size_of::<RadianceSample>()),
         "picture" => (Grows::Film, 4),
+        "debug_colours" => (Grows::Film, size_of::<glam::Vec4>()),
         "triangles" => (Grows::Triangles, size_of::<Triangle>()),
         "shading" => (Grows::Triangles, size_of::<Shading>()),
         "lights" => (Grows::Lights, size_of::<LightRecord>()),

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::pipelines::{Code, Compiler, Pipelines};
+use super::pipelines::{Code, Compiler, Pipelines, Values};
 use super::player::{PARAMS, Player, Stage};
 use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError, PassTiming};
 use crate::passes::{Pass, Recording};
-use crate::shader::{ErrorKind, Features, LOOP_FAULTS, Library, ShaderError};
+use crate::shader::{ErrorKind, Features, LOOP_FAULTS, Library, Parameter, ShaderError};
 
 /// Runs recordings on one device.
 pub struct Runtime {
@@ -49,6 +49,26 @@ impl Runtime {
         self.features = features.iter().map(|f| f.as_ref().to_owned()).collect();
     }
 
+    /// All parameters that the library declares, by name.
+    pub fn parameters(&self) -> &Arc<[Parameter]> {
+        self.pipelines.parameters()
+    }
+
+    /// What parameters are set to.
+    pub fn values(&self) -> &Values {
+        self.pipelines.values()
+    }
+
+    /// Whether any pass in use reads a parameter.
+    pub fn is_read(&self, parameter: &str) -> bool {
+        self.pipelines.is_read(parameter)
+    }
+
+    /// Sets parameters from now on. Returns the passes in use that read another value than before.
+    pub fn set_values(&mut self, values: Values) -> Vec<&'static Pass> {
+        self.pipelines.set_values(values)
+    }
+
     /// Times every dispatch from now on, where the device can.
     pub fn set_timing(&mut self, on: bool) {
         self.timer = if on { Timer::new(&self.gpu) } else { None };
@@ -85,8 +105,10 @@ impl Runtime {
         self.buffers.reserve(&self.gpu, LOOP_FAULTS, 8)?;
         let stage =
             Stage { gpu: &self.gpu, buffers: &self.buffers, pipelines: &mut self.pipelines, features: &self.features };
-        *self.uploads.entry(PARAMS).or_default() += recording.calls().map(|call| call.params.len() as u64).sum::<u64>();
-        self.player.play(stage, recording, self.timer.as_mut())
+        let before = self.player.params_sent();
+        let played = self.player.play(stage, recording, self.timer.as_mut());
+        *self.uploads.entry(PARAMS).or_default() += self.player.params_sent() - before;
+        played
     }
 
     /// Compiles what recordings need, all at once, without running them.

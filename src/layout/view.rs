@@ -54,11 +54,13 @@ pub enum ViewMode {
     Uv = VIEW_UV,
     Texel = VIEW_TEXEL,
     Level = VIEW_LEVEL,
+    /// What shaders show of themselves: a pass of its own.
+    Debug = VIEW_LEVEL + 1,
 }
 
 impl ViewMode {
     /// All of them, with the names that people read.
-    pub const ALL: [(ViewMode, &str); 9] = [
+    pub const ALL: [(ViewMode, &str); 10] = [
         (ViewMode::Beauty, "beauty"),
         (ViewMode::Albedo, "albedo"),
         (ViewMode::Normal, "normals"),
@@ -68,5 +70,6 @@ impl ViewMode {
         (ViewMode::Uv, "texture coordinates"),
         (ViewMode::Texel, "texels"),
         (ViewMode::Level, "mip levels"),
+        (ViewMode::Debug, "debug"),
     ];
 }

@@ -8,6 +8,7 @@ pub static CLEAR: Pass = Pass {
     name: "clear",
     module: "passes/clear",
     entry: "clear",
+    features: &[],
     bindings: &[Binding::params("ClearParams"), Binding::write("words", "array<u32>")],
     makes: &[Makes::Tree, Makes::Film],
     twin: Twin::None("one value in every word needs no second opinion"),

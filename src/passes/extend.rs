@@ -11,6 +11,7 @@ pub static EXTEND: Pass = Pass {
     name: "extend",
     module: "passes/trace/extend",
     entry: "extend",
+    features: &[],
     bindings: &Binding::list::<9>(&[
         &[
             Binding::read("nodes", "array<vec4<u32>>"),
@@ -30,6 +31,7 @@ pub static OCCLUDED: Pass = Pass {
     name: "occluded",
     module: "passes/trace/occluded",
     entry: "occluded",
+    features: &[],
     bindings: &Binding::list::<9>(&[
         &[
             Binding::read("nodes", "array<vec4<u32>>"),

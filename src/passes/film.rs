@@ -11,6 +11,7 @@ pub static ACCUMULATE: Pass = Pass {
     name: "accumulate",
     module: "passes/film/accumulate",
     entry: "accumulate",
+    features: &[],
     bindings: &[
         Binding::params("AccumulateParams"),
         Binding::read("radiance", "array<RadianceSample>"),
@@ -26,6 +27,7 @@ pub static DISPLAY: Pass = Pass {
     name: "display",
     module: "passes/display/display",
     entry: "display",
+    features: &[],
     bindings: &[
         Binding::params("DisplayParams"),
         Binding::read("film", "array<FilmPixel>"),

@@ -9,6 +9,7 @@ pub static LINT: Pass = Pass {
     name: "lint",
     module: "passes/lint/surface",
     entry: "surface",
+    features: &[],
     bindings: &[
         Binding::params("LintParams"),
         Binding::read("lint_cases", "array<LintCase>"),

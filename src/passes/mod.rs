@@ -4,6 +4,7 @@
 //! need, and the functions that record them. [`table::TABLE`] lists every row.
 
 mod clear;
+pub mod debug;
 pub mod extend;
 pub mod film;
 pub mod lint;

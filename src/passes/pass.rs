@@ -14,6 +14,8 @@ pub struct Pass {
     pub module: &'static str,
     /// Entry point in that module.
     pub entry: &'static str,
+    /// What is switched on for it beside the scene's features.
+    pub features: &'static [&'static str],
     /// In the order of the WGSL, all in group 0.
     pub bindings: &'static [Binding],
     /// What is to be made anew when the pass's code changes: all that it is recorded for.

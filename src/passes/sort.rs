@@ -22,6 +22,7 @@ pub static SORT_AGREE: Pass = Pass {
     name: "sort agree",
     module: "passes/sort/agree",
     entry: "agree",
+    features: &[],
     bindings: &[
         Binding::params("SortParams"),
         Binding::read("keys", KEYS),
@@ -36,6 +37,7 @@ pub static SORT_PLAN: Pass = Pass {
     name: "sort plan",
     module: "passes/sort/plan",
     entry: "plan",
+    features: &[],
     bindings: &[
         Binding::params("SortParams"),
         Binding::read("sort_agreements", "array<vec4<u32>>"),
@@ -50,6 +52,7 @@ pub static SORT_COUNT: Pass = Pass {
     name: "sort count",
     module: "passes/sort/count",
     entry: "count",
+    features: &[],
     bindings: &[
         Binding::params("SortParams"),
         Binding::read("sort_plan", "SortPlan"),
@@ -67,6 +70,7 @@ pub static SORT_SCAN: Pass = Pass {
     name: "sort scan",
     module: "passes/sort/scan",
     entry: "scan",
+    features: &[],
     bindings: &[
         Binding::params("SortParams"),
         Binding::write("sort_counts", WORDS),
@@ -85,6 +89,7 @@ pub static SORT_SCATTER: Pass = Pass {
     name: "sort scatter",
     module: "passes/sort/scatter",
     entry: "scatter",
+    features: &[],
     bindings: &[
         Binding::params("SortParams"),
         Binding::read("sort_plan", "SortPlan"),
@@ -105,6 +110,7 @@ pub static SORT_FILL: Pass = Pass {
     name: "sort fill",
     module: "passes/sort/fill",
     entry: "fill",
+    features: &[],
     bindings: &[Binding::params("SortParams"), Binding::write("keys", KEYS), Binding::write("payload", WORDS)],
     makes: &[],
     twin: twin!(sort::random_key),

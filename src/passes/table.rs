@@ -1,6 +1,6 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, extend, film, lint, sort, trace, tree, view};
+use super::{CLEAR, Pass, debug, extend, film, lint, sort, trace, tree, view};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &joined::<{ count(STAGES) }>(STAGES);
@@ -17,7 +17,16 @@ const STAGES: &[&[&Pass]] = &[
         &sort::SORT_FILL,
     ],
     tree::PASSES,
-    &[&extend::EXTEND, &extend::OCCLUDED, &trace::PATH, &film::ACCUMULATE, &film::DISPLAY, &view::VIEW, &lint::LINT],
+    &[
+        &extend::EXTEND,
+        &extend::OCCLUDED,
+        &trace::PATH,
+        &film::ACCUMULATE,
+        &film::DISPLAY,
+        &view::VIEW,
+        &debug::DEBUG,
+        &lint::LINT,
+    ],
 ];
 
 /// Passes of all stages.

@@ -10,30 +10,33 @@ use crate::layout::trace::{
     MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MATERIAL_THIN, MaterialRecord, RadianceSample, TraceParams,
 };
 
+/// What tracing a path reads, whatever becomes of it.
+pub const TRACED: [Binding; 15] = Binding::list::<15>(&[
+    &[
+        Binding::read("nodes", "array<vec4<u32>>"),
+        Binding::read("leaves", "array<vec4<u32>>"),
+        Binding::params("TraceParams"),
+        Binding::read("materials", "array<vec4<u32>>"),
+        Binding::read("shading", "array<Shading>").when(&["normals"]),
+        Binding::read("lights", "array<vec4<u32>>").when(&["lights"]),
+        Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
+        Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
+    ],
+    &texture_bindings(TEXTURED),
+    &[
+        Binding::read("tangents", "array<vec4<u32>>").when(&["relief"]),
+        Binding::read("mean_emission", "array<f32>").when(&["emission_map"]).and(&["lights"]),
+        Binding::read("triangles", "array<vec4<u32>>").when(&["emission_map"]).and(&["lights"]),
+    ],
+]);
+
 /// Integrators `Path` and `Bsdf`: with and without light sampling, but for point lights.
 pub static PATH: Pass = Pass {
     name: "path",
     module: "passes/trace/path",
     entry: "path",
-    bindings: &Binding::list::<16>(&[
-        &[
-            Binding::read("nodes", "array<vec4<u32>>"),
-            Binding::read("leaves", "array<vec4<u32>>"),
-            Binding::params("TraceParams"),
-            Binding::read("materials", "array<vec4<u32>>"),
-            Binding::write("radiance", "array<RadianceSample>"),
-            Binding::read("shading", "array<Shading>").when(&["normals"]),
-            Binding::read("lights", "array<vec4<u32>>").when(&["lights"]),
-            Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
-            Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
-        ],
-        &texture_bindings(TEXTURED),
-        &[
-            Binding::read("tangents", "array<vec4<u32>>").when(&["relief"]),
-            Binding::read("mean_emission", "array<f32>").when(&["emission_map"]).and(&["lights"]),
-            Binding::read("triangles", "array<vec4<u32>>").when(&["emission_map"]).and(&["lights"]),
-        ],
-    ]),
+    features: &[],
+    bindings: &Binding::list::<16>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
     makes: &[Makes::Film],
     twin: twin!(path::PathScene::sample),
 };

@@ -10,6 +10,7 @@ pub static VIEW: Pass = Pass {
     name: "view",
     module: "passes/trace/view",
     entry: "view",
+    features: &[],
     bindings: &Binding::list::<10>(&[
         &[
             Binding::read("nodes", "array<vec4<u32>>"),

@@ -9,7 +9,8 @@ use bevy_ecs::prelude::*;
 use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
 use crate::components::{
-    self, Active, Camera, Environment, Film, Geometry, Lobe, Material, Name, PointLight, Texture, UsesMaterial,
+    self, Active, Camera, Environment, Film, Geometry, Lobe, Material, Name, PointLight, ShaderValues, Texture,
+    UsesMaterial,
 };
 
 /// Makes the world hold exactly the scene that `description` describes, entity by entity, matched by `Name`.
@@ -54,6 +55,7 @@ pub fn apply_changes(world: &mut World, earlier: Option<&SceneDescription>, desc
     let film = match_by_name::<Film>(world, [&"film".to_owned()])["film"];
     set_change(world, film, earlier.map(|e| &e.film), &description.film);
     set_change(world, film, earlier.map(|e| &e.render), &description.render);
+    apply_values(world, film, earlier.map(|e| &e.shader), &description.shader);
     let name = "environment".to_owned();
     let environments = match_by_name::<Environment>(world, description.environment.iter().map(|_| &name));
     if let Some(environment) = &description.environment {
@@ -145,6 +147,21 @@ fn set<T: Component<Mutability = Mutable> + Clone + PartialEq>(world: &mut World
             world.entity_mut(entity).insert(value.clone());
         }
     }
+}
+
+/// Writes the parameters of shaders, each of them unless the description says what it said earlier.
+fn apply_values(world: &mut World, film: Entity, earlier: Option<&ShaderValues>, values: &ShaderValues) {
+    let mut now = match earlier {
+        Some(_) => world.get::<ShaderValues>(film).cloned().unwrap_or_default(),
+        None => values.clone(),
+    };
+    if let Some(earlier) = earlier {
+        let gone = |name: &String| earlier.0.contains_key(name) && !values.0.contains_key(name);
+        now.0.retain(|name, _| !gone(name));
+        let others = values.0.iter().filter(|(name, value)| earlier.0.get(*name) != Some(value));
+        now.0.extend(others.map(|(name, value)| (name.clone(), *value)));
+    }
+    set(world, film, &now);
 }
 
 /// Writes what differs of a mesh. Equal geometry keeps the shared data that is there, wherever it was read from.

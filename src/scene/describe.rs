@@ -8,8 +8,8 @@ use bevy_ecs::query::QueryState;
 use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
 use crate::components::{
-    CameraItem, EnvironmentItem, Film, Geometry, Maps, Material, Name, PointLight, Render, Texture, Transform,
-    UsesMaterial, rendered_camera, rendered_environment,
+    CameraItem, EnvironmentItem, Film, Geometry, Maps, Material, Name, PointLight, Render, ShaderValues, Texture,
+    Transform, UsesMaterial, rendered_camera, rendered_environment,
 };
 
 type Surface = (Entity, &'static Name, &'static Material, Option<&'static MtlMaterial>, Option<&'static Maps>);
@@ -49,6 +49,7 @@ pub fn describe(world: &World, name: &str) -> SceneDescription {
         lights: query::<(&Name, &PointLight)>(world).iter(world).map(|(name, light)| (key(name), *light)).collect(),
         film,
         render,
+        shader: query::<&ShaderValues>(world).iter(world).next().cloned().unwrap_or_default(),
         environment: rendered_environment(query::<EnvironmentItem>(world).iter(world)).cloned(),
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::mtl::MtlMaterial;
-use crate::components::{Camera, Environment, Film, MeshData, PointLight, Render, Texture, Transform};
+use crate::components::{Camera, Environment, Film, MeshData, PointLight, Render, ShaderValues, Texture, Transform};
 
 /// A whole scene as plain data, every name a stable key: equal files give equal descriptions.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +25,8 @@ pub struct SceneDescription {
     pub lights: BTreeMap<String, PointLight>,
     pub film: Film,
     pub render: Render,
+    /// Of the shaders' parameters, as far as the scene sets them.
+    pub shader: ShaderValues,
     /// `None` is black.
     pub environment: Option<Environment>,
 }

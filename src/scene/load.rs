@@ -9,7 +9,7 @@ use super::define::Define;
 use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::environment::EnvironmentEntry;
-use super::file::{DEFAULT_CAMERA, MaterialEntry, ModelEntry, SceneFile};
+use super::file::{DEFAULT_CAMERA, MaterialEntry, ModelEntry, SceneFile, ShaderPlace};
 use super::framing::framing;
 use super::kind::Kind;
 use super::locate::{as_written, file_names, folder_of, relative_to, stem};
@@ -23,7 +23,7 @@ use super::suggest::{did_you_mean, known_names};
 use super::text::missing;
 use super::textures::{self, Loading};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
-use crate::components::{Environment, PointLight, Texture, Transform};
+use crate::components::{Environment, PointLight, ShaderValues, Texture, Transform};
 
 /// What loading gives.
 #[derive(Clone, Debug)]
@@ -37,6 +37,8 @@ pub struct Loaded {
     pub unfinished: Vec<PathBuf>,
     /// Of each material of the description, where it comes from.
     pub origins: BTreeMap<String, Origin>,
+    /// Where shaders' parameters are set, by their names.
+    pub shader_places: BTreeMap<String, ShaderPlace>,
 }
 
 /// Where a material comes from.
@@ -82,13 +84,14 @@ pub fn attempt_in(
         map_places: BTreeMap::new(),
         unfinished: Vec::new(),
         origins: BTreeMap::new(),
+        shader_places: BTreeMap::new(),
     };
     let description = loader.load(scene, defines, animated, loading);
     let files = loader.files.clone();
     let loaded = match description {
         Some(description) if !loader.diagnostics.has_errors() => {
-            let Loader { diagnostics, files, unfinished, origins, .. } = loader;
-            Ok(Loaded { description, warnings: diagnostics.list, files, unfinished, origins })
+            let Loader { diagnostics, files, unfinished, origins, shader_places, .. } = loader;
+            Ok(Loaded { description, warnings: diagnostics.list, files, unfinished, origins, shader_places })
         }
         _ => Err(loader.diagnostics),
     };
@@ -106,6 +109,7 @@ struct Loader<'s> {
     /// Pictures that are cut short.
     unfinished: Vec<PathBuf>,
     origins: BTreeMap<String, Origin>,
+    shader_places: BTreeMap<String, ShaderPlace>,
 }
 
 impl Loader<'_> {
@@ -144,6 +148,8 @@ impl Loader<'_> {
         }
         let lit = file.dark_if_lit && (is_lit(&meshes, &materials, &file.lights));
         let environment = environment.filter(|_| !lit);
+        let values = file.shader.iter().map(|(name, entry)| (name.clone(), entry.0)).collect();
+        self.shader_places.extend(file.shader.into_iter().map(|(name, entry)| (name, entry.1)));
         let description = SceneDescription {
             name: stem(scene),
             meshes,
@@ -154,6 +160,7 @@ impl Loader<'_> {
             lights: file.lights,
             film: file.settings.film,
             render: file.settings.render,
+            shader: ShaderValues(values),
             environment,
         };
         self.warn_of_unseen(&description, models.iter().zip(&file.models), scene);

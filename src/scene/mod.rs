@@ -52,6 +52,7 @@ pub use define::{Define, Written};
 pub use describe::describe;
 pub use description::{MeshEntry, SceneDescription};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
+pub use file::ShaderPlace;
 pub use find::{find, names};
 pub use framing::reframe;
 pub use keys::{Colour, KEYS, Key, Range, Value};

@@ -29,6 +29,8 @@ pub enum ErrorKind {
     Duplicate,
     /// What naga's front end or validator refuses.
     Type,
+    /// A parameter whose declaration says no number, or none that it may be.
+    Parameter,
     /// A binding that is missing, used twice, or of a kind that passes do not have.
     Binding,
     /// A shared struct that naga lays out otherwise than Rust.

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::layout::{self, GpuConst, StructLayout, Vectors};
 
 use super::error::Source;
+use super::values;
 
 /// The file that messages name for a place in generated text.
 pub const FILE: &str = "<generated layout>";
@@ -73,12 +74,23 @@ impl Shared {
 }
 
 /// The text of `package::gen` for one link.
+#[derive(Clone)]
 pub struct Generated {
     pub source: Arc<Source>,
     /// The structs in it, in the order of their declarations.
     pub structs: Vec<&'static StructLayout>,
     /// Everything it declares.
     pub names: Vec<String>,
+}
+
+impl Generated {
+    /// With the declaration of the buffer of parameters.
+    pub fn with_values(mut self, declaration: &str) -> Self {
+        let source = Source { file: FILE.to_owned(), text: format!("{}{declaration}", self.source.text) };
+        self.source = Arc::new(source);
+        self.names.extend([values::STRUCT, values::SHADER_VALUES].map(str::to_owned));
+        self
+    }
 }
 
 /// Writes a struct behind those it depends on.

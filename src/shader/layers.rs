@@ -1,6 +1,5 @@
-//! Shaders as they lie on the disk: a folder, another that is laid over it, and values that are set.
+//! Shaders as they lie on the disk: a folder, and another that is laid over it.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::{Library, ShaderError};
@@ -12,8 +11,6 @@ pub struct Layers {
     pub base: Option<PathBuf>,
     /// A folder that holds what it has otherwise.
     pub over: Option<PathBuf>,
-    /// Of the `override`s of both.
-    pub values: BTreeMap<String, String>,
 }
 
 impl Layers {
@@ -30,11 +27,10 @@ impl Layers {
     /// Reads them as they are now.
     pub fn read(&self) -> Result<Library, ShaderError> {
         let base = self.base.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open)?;
-        let library = match &self.over {
+        Ok(match &self.over {
             Some(over) => Library::open(over)?.laid_over(&base),
             None => base,
-        };
-        if self.values.is_empty() { Ok(library) } else { library.with_values(&self.values) }
+        })
     }
 
     /// The file of a module: that of the folder above, if it has one.

@@ -14,6 +14,8 @@ use super::error::{ErrorKind, ShaderError, Source};
 use super::generated::Shared;
 use super::module::{self, Module};
 use super::names;
+use super::parameter::{self, Parameter};
+use super::token;
 
 /// Every file of shaders/: (module, text).
 static EMBEDDED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
@@ -129,6 +131,27 @@ impl Library {
             named.extend(self.scan(module, &Features::new())?.features);
         }
         Ok(named)
+    }
+
+    /// Every parameter that any module declares, by name. What can't be read, or is no WGSL, declares none; two of one name are an error,
+    /// wherever they are: they are set by it.
+    pub fn parameters(&self) -> Result<Vec<Parameter>, ShaderError> {
+        let mut found: BTreeMap<String, Parameter> = BTreeMap::new();
+        let may_declare = |source: &&Arc<Source>| ["override", "@range"].iter().any(|word| source.text.contains(word));
+        for source in self.modules.values().flatten().filter(may_declare) {
+            let Ok(tokens) = token::tokenize(source) else { continue };
+            for parameter in parameter::all_of(source, &tokens)? {
+                if let Some(first) = found.get(&parameter.name) {
+                    let (name, at) = (&parameter.name, &first.place);
+                    let at = format!("{}:{}:{}", at.source.file, at.line, at.column);
+                    let message = format!("`override {name}` is declared twice: first at {at}");
+                    return Err(ShaderError::of(ErrorKind::Duplicate, parameter.place, message)
+                        .help("a parameter is set by its name: declare it in one module, and import it from there"));
+                }
+                found.insert(parameter.name.clone(), parameter);
+            }
+        }
+        Ok(found.into_values().collect())
     }
 
     /// The text of a module as it was read; None for one that is unknown or can't be read.

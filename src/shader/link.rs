@@ -10,8 +10,10 @@ use super::error::{ErrorKind, Place, ShaderError, Source};
 use super::generated::Generated;
 use super::library::Library;
 use super::module::{Import, Module, Named};
+use super::parameter::Parameter;
 use super::source_map::SourceMap;
 use super::stack::on_large_stack;
+use super::values::{self, LinkedParameter};
 use super::{Features, budget, check, depth, token};
 
 /// A module with all it imports: parsed, valid, and rid of what no entry point uses.
@@ -25,6 +27,8 @@ pub struct Linked {
     pub imports: BTreeSet<String>,
     /// The enabled features that any condition in it names: two links of a module with equal features have equal text.
     pub features: Features,
+    /// The parameters that its modules declare, in the order of their words in [`SHADER_VALUES`](super::SHADER_VALUES).
+    pub parameters: Vec<LinkedParameter>,
     /// Some module of it is not the one that this binary was built with.
     pub edited: bool,
     /// Its loops are to be limited.
@@ -43,6 +47,15 @@ impl Linked {
             source.text[token.range].hash(&mut hasher);
         }
         hasher.finish()
+    }
+
+    /// Whether another does the same where no parameter is set: of equal text, and with the defaults of those that are read.
+    pub fn is_same(&self, other: &Linked) -> bool {
+        let words = |linked: &Linked| -> Vec<u32> {
+            let read = linked.parameters.iter().filter(|own| own.is_read);
+            read.map(|own| own.parameter.word(own.parameter.default)).collect()
+        };
+        self.fingerprint() == other.fingerprint() && words(self) == words(other)
     }
 
     /// Where a global variable or an entry point is declared; for one that is not, where the module itself begins.
@@ -124,8 +137,15 @@ fn link(library: &Library, root: &str, features: &Features) -> Result<Linked, Sh
     let owners = closure.owners()?;
     closure.check_uses(&owners)?;
     closure.check_shared(library)?;
+    closure.check_parameters()?;
     let (text, map) = closure.join();
-    let (module, info) = check::check(&text, &map, &closure.generated, library, features)?;
+    let (mut module, info) = check::check(&text, &map, &closure.generated, library, features)?;
+    let read = values::settle(&mut module);
+    let linked = |(word, parameter): (usize, &Parameter)| LinkedParameter {
+        parameter: parameter.clone(),
+        is_read: read.contains(&word),
+    };
+    let parameters = closure.parameters().enumerate().map(linked).collect();
     let named = closure.modules.iter().flat_map(|(_, module)| &module.features);
     let edited = closure.modules.iter().any(|(name, _)| !library.is_embedded(name));
     let limited = edited || library.is_limited();
@@ -133,6 +153,7 @@ fn link(library: &Library, root: &str, features: &Features) -> Result<Linked, Sh
     Ok(Linked {
         module,
         info,
+        parameters,
         edited,
         limited,
         root: last.source.clone(),
@@ -156,7 +177,34 @@ impl Closure {
         let modules = walk.done;
         let imports = modules.iter().flat_map(|(_, module)| &module.imports);
         let names = imports.filter(|import| import.module == "gen").map(|import| import.item.name.as_str()).collect();
-        Ok(Closure { generated: library.shared().generate(&names), modules })
+        let generated = library.shared().generate(&names);
+        let mut closure = Closure { generated, modules };
+        if closure.parameters().next().is_some() {
+            let declaration = values::declaration(closure.parameters());
+            closure.generated = closure.generated.with_values(&declaration);
+        }
+        Ok(closure)
+    }
+
+    /// Those of all modules, in order.
+    fn parameters(&self) -> impl Iterator<Item = &Parameter> {
+        self.modules.iter().flat_map(|(_, module)| &module.parameters)
+    }
+
+    /// Refuses a parameter's name that a module which knows it gives to something else: a name is replaced wherever it stands.
+    fn check_parameters(&self) -> Result<(), ShaderError> {
+        for parameter in self.parameters() {
+            let name = &parameter.name;
+            let taken = self.modules.iter().find(|(_, module)| module.knows(name) && module.locals.contains(name));
+            if let Some((module, _)) = taken {
+                let message = format!(
+                    "`{name}` is a parameter, and `{module}` has something else of that name inside a function or struct"
+                );
+                return Err(ShaderError::of(ErrorKind::Duplicate, parameter.place.clone(), message)
+                    .help("give one of both another name"));
+            }
+        }
+        Ok(())
     }
 
     /// Which module declares each name: a place in `modules`, or None for the generated one.
@@ -239,8 +287,13 @@ impl Closure {
             }
         }
         map.append(&mut text, &self.generated.source.text, &self.generated.source, 0);
+        let parameters: BTreeMap<&str, &Parameter> = self.parameters().map(|own| (own.name.as_str(), own)).collect();
         for (_, module) in &self.modules {
-            map.append(&mut text, &module.text, &module.source, 0);
+            let replaced = module.uses.iter().filter(|used| module.knows(&used.name)).filter_map(|used| {
+                let parameter = parameters.get(used.name.as_str())?;
+                Some((&used.range, values::access(parameter)))
+            });
+            map.append_replaced(&mut text, &module.text, &module.source, replaced);
         }
         (text, map)
     }

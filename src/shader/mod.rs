@@ -4,7 +4,8 @@
 //! syntax, `import package::lib::rng::{next_2d};`. All names share one flat namespace: a module is included whole, once,
 //! behind what it imports, and nothing in it moves, so that an error of naga has its place in the original file.
 //! `package::gen` holds the structs and constants of [`crate::layout`]. `@if(feature)`, `@elif` and `@else` stand before
-//! declarations, statements, struct members and parameters.
+//! declarations, statements, struct members and parameters of functions. `override`, with or without our `@range`, declares what
+//! is set while it runs ([`Parameter`]).
 
 mod budget;
 mod check;
@@ -19,6 +20,7 @@ mod link;
 mod message;
 mod module;
 mod names;
+mod parameter;
 mod reflect;
 mod seek;
 mod site;
@@ -35,8 +37,10 @@ pub use error::{ErrorKind, Place, ShaderError, Source};
 pub use layers::Layers;
 pub use library::Library;
 pub use link::Linked;
+pub use parameter::{Parameter, ParameterKind};
 pub use reflect::{BoundResource, EntryPoint, ResourceKind};
 pub use stack::on_large_stack;
+pub use values::{LinkedParameter, SHADER_VALUES};
 
 /// Names of scene features, as `@if` knows them.
 pub type Features = BTreeSet<String>;

@@ -8,6 +8,7 @@ use super::Features;
 use super::conditional::{self, blanked};
 use super::depth;
 use super::error::{ErrorKind, ShaderError, Source};
+use super::parameter::{self, Parameter};
 use super::token::{Token, TokenKind};
 
 /// A name at a place of the module.
@@ -35,12 +36,22 @@ pub struct Module {
     pub directives: Vec<Range<usize>>,
     /// What it declares at its top level.
     pub declarations: Vec<Named>,
+    /// Those of them that are set while it runs.
+    pub parameters: Vec<Parameter>,
     /// Names declared inside functions and structs.
     pub locals: BTreeSet<String>,
     /// Names that may mean a declaration of any module.
     pub uses: Vec<Named>,
     /// The features that its conditions name.
     pub features: Features,
+}
+
+impl Module {
+    /// Whether a name of another's declaration, or of a parameter, means that here.
+    pub fn knows(&self, name: &str) -> bool {
+        let declared = self.parameters.iter().any(|own| own.name == name);
+        declared || self.imports.iter().any(|import| import.item.name == name)
+    }
 }
 
 /// Reads a module under a set of features.
@@ -57,6 +68,7 @@ pub fn scan(source: &Arc<Source>, features: &Features) -> Result<Module, ShaderE
             imports: Vec::new(),
             directives: Vec::new(),
             declarations: Vec::new(),
+            parameters: Vec::new(),
             locals: BTreeSet::new(),
             uses: Vec::new(),
             features: resolved.named,
@@ -113,6 +125,10 @@ impl<'a> Scanner<'a> {
                     i = self.directive(i);
                     continue;
                 }
+                "@" | "override" if depth == 0 && parameter::starts(self.source, self.tokens, i) => {
+                    i = self.parameter(i)?;
+                    continue;
+                }
                 // An attribute's own name, and the name of a built-in value, mean no declaration.
                 "@" => {
                     i += if self.text(i + 1) == "builtin" { 5 } else { 2 };
@@ -135,7 +151,7 @@ impl<'a> Scanner<'a> {
     /// Files a word as declaration, local or use.
     fn word(&mut self, i: usize, depth: i32) {
         match self.text(i) {
-            "fn" | "struct" | "const" | "override" | "alias" | "let" | "var" => {
+            "fn" | "struct" | "const" | "alias" | "let" | "var" => {
                 let name = if self.text(i) == "var" { self.behind_template(i + 1) } else { i + 1 };
                 if !self.is_word(name) {
                     return;
@@ -162,6 +178,23 @@ impl<'a> Scanner<'a> {
             return i;
         }
         (i..self.tokens.len()).find(|&i| self.text(i) == ">").map_or(self.tokens.len(), |close| close + 1)
+    }
+
+    /// `@range(0.0, 16.0) override NAME: f32 = 8.0;`
+    fn parameter(&mut self, start: usize) -> Result<usize, ShaderError> {
+        if start > 0 && !matches!(self.text(start - 1), ";" | "}") {
+            let error = self.error(ErrorKind::Parameter, start, "a parameter has no attribute but `@range`");
+            return Err(error.help(parameter::EXAMPLE));
+        }
+        let (parameter, end) = parameter::read(self.source, self.tokens, start)?;
+        if self.text(end - 1) != ";" {
+            return Err(self.error(ErrorKind::Syntax, end - 1, format!("`{}` wants a `;` behind it", parameter.name)));
+        }
+        let range = parameter.place.range.clone();
+        self.module.declarations.push(Named { name: parameter.name.clone(), range });
+        self.module.parameters.push(parameter);
+        self.blank.push(self.range(start).start..self.range(end - 1).end);
+        Ok(end)
     }
 
     fn directive(&mut self, start: usize) -> usize {

@@ -1,80 +1,75 @@
-//! Values of shaders that are set from outside: `override NAME: T = ..;` of a module.
+//! Parameters in a linked text: each is a word of a buffer, and a name stands for reading it.
+//!
+//! The buffer is [`SHADER_VALUES`]; a pass that reads none does not bind it. Its words are of the parameters that the modules of
+//! the text declare, in the order of the modules.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use super::error::ErrorKind;
-use super::{Library, ShaderError};
+use naga::{Expression, Function, Module};
 
-/// A declaration of such a value.
-struct Declared<'a> {
-    name: &'a str,
-    /// Of the type.
-    kind: &'a str,
+use super::parameter::{Parameter, ParameterKind};
+
+/// The name of the buffer that parameters are read from.
+pub const SHADER_VALUES: &str = "shader_values";
+
+/// Its type in linked texts.
+pub const STRUCT: &str = "ShaderValues";
+
+/// What no shader binds: the true binding is the first that is free, once all others are known.
+const BINDING: u32 = 999;
+
+/// A parameter of a linked module.
+#[derive(Clone, Debug)]
+pub struct LinkedParameter {
+    pub parameter: Parameter,
+    /// An entry point depends on it.
+    pub is_read: bool,
 }
 
-impl Library {
-    /// The library with values written in the place of those that modules declare by `override`: numbers, or true and false.
-    pub fn with_values(mut self, values: &BTreeMap<String, String>) -> Result<Self, ShaderError> {
-        let modules: Vec<String> = self.modules().map(str::to_owned).collect();
-        let (mut set, mut known) = (BTreeSet::new(), BTreeSet::new());
-        for module in modules {
-            let Some(text) = self.text(&module) else { continue };
-            let mut written = String::with_capacity(text.len());
-            let mut changed = false;
-            for line in text.split_inclusive('\n') {
-                let declared = declared(line);
-                known.extend(declared.iter().map(|declared| declared.name.to_owned()));
-                match declared.and_then(|declared| Some((values.get_key_value(declared.name)?, declared))) {
-                    Some(((name, value), Declared { kind, .. })) => {
-                        let value = checked(name, kind, value)?;
-                        let end = if line.ends_with('\n') { "\n" } else { "" };
-                        written += &format!("const {name}: {kind} = {kind}({value});{end}");
-                        set.insert(name.clone());
-                        changed = true;
-                    }
-                    None => written += line,
-                }
-            }
-            if changed {
-                self = self.with(&module, &written);
-            }
-        }
-        match values.keys().find(|name| !set.contains(*name)) {
-            None => Ok(self),
-            Some(name) => {
-                let error = ShaderError::nowhere(ErrorKind::Import, format!("no module has `override {name}`"));
-                let known: Vec<&str> = known.iter().map(String::as_str).collect();
-                Err(error.help(match known.as_slice() {
-                    [] => {
-                        "no module has any value that can be set: write `override NAME: f32 = 1.0;` in one".to_owned()
-                    }
-                    known => format!("known here: {}", known.join(", ")),
-                }))
-            }
-        }
-    }
-}
-
-/// What a line declares, if that is such a value.
-fn declared(line: &str) -> Option<Declared<'_>> {
-    let rest = line.trim_start().strip_prefix("override ")?;
-    let (name, rest) = rest.split_once(':')?;
-    let (kind, _) = rest.split_once('=')?;
-    let declared = Declared { name: name.trim(), kind: kind.trim() };
-    ["f32", "u32", "i32", "bool"].contains(&declared.kind).then_some(declared)
-}
-
-/// A value as WGSL, if it is of the type.
-fn checked(name: &str, kind: &str, value: &str) -> Result<String, ShaderError> {
-    let value = value.trim();
-    let fits = match kind {
-        "f32" => value.parse::<f32>().is_ok_and(f32::is_finite),
-        "u32" => value.parse::<u32>().is_ok(),
-        "i32" => value.parse::<i32>().is_ok(),
-        _ => value.parse::<bool>().is_ok(),
+/// The declaration of a buffer for parameters, of which there is one at least.
+pub fn declaration<'p>(parameters: impl Iterator<Item = &'p Parameter>) -> String {
+    let field = |parameter: &Parameter| match parameter.kind {
+        // A bool can't be in a buffer.
+        ParameterKind::Switch => format!("    {}: u32,\n", parameter.name),
+        kind => format!("    {}: {},\n", parameter.name, kind.wgsl()),
     };
-    if fits {
-        return Ok(value.to_owned());
+    let fields: String = parameters.map(field).collect();
+    format!(
+        "struct {STRUCT} {{\n{fields}}}\n@group(0) @binding({BINDING}) var<storage, read> {SHADER_VALUES}: {STRUCT};\n"
+    )
+}
+
+/// What stands in the place of a parameter's name.
+pub fn access(parameter: &Parameter) -> String {
+    let name = &parameter.name;
+    match parameter.kind {
+        ParameterKind::Switch => format!("({SHADER_VALUES}.{name} != 0u)"),
+        _ => format!("{SHADER_VALUES}.{name}"),
     }
-    Err(ShaderError::nowhere(ErrorKind::Type, format!("`{value}` is no {kind}, as `override {name}` needs it")))
+}
+
+/// Gives the buffer the first free binding, and says which of its words anything reads.
+pub fn settle(module: &mut Module) -> BTreeSet<usize> {
+    let is_values = |name: &Option<String>| name.as_deref() == Some(SHADER_VALUES);
+    let Some((buffer, _)) = module.global_variables.iter().find(|(_, variable)| is_values(&variable.name)) else {
+        return BTreeSet::new();
+    };
+    let others = module.global_variables.iter().filter(|(handle, _)| *handle != buffer);
+    let free = others.filter_map(|(_, other)| other.binding).map(|other| other.binding + 1).max().unwrap_or(0);
+    if let Some(binding) = &mut module.global_variables.get_mut(buffer).binding {
+        binding.binding = free;
+    }
+    let read = |function: &Function| -> Vec<usize> {
+        let expressions = function.expressions.iter();
+        let word = |expression: &Expression| match expression {
+            Expression::AccessIndex { base, index } => {
+                let of = &function.expressions[*base];
+                matches!(of, Expression::GlobalVariable(of) if *of == buffer).then_some(*index as usize)
+            }
+            _ => None,
+        };
+        expressions.filter_map(|(_, expression)| word(expression)).collect()
+    };
+    let entries = module.entry_points.iter().map(|entry| &entry.function);
+    module.functions.iter().map(|(_, function)| function).chain(entries).flat_map(read).collect()
 }

@@ -3,12 +3,13 @@
 
 use bevy_ecs::prelude::*;
 
+use super::error::EngineError;
 use super::phase::Phase;
-use super::resources::{Exposure, FilmProgress, Frame, Live, SceneGeometry, Shot, Target, Viewed};
+use super::resources::{Device, Exposure, FilmProgress, Frame, Live, SceneGeometry, Shot, Target, Viewed};
 use super::run::counted;
 use crate::components::Film;
 use crate::layout::view::{ViewMode, ViewParams};
-use crate::passes::{film, view};
+use crate::passes::{debug, film, view};
 
 pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(
@@ -25,14 +26,25 @@ fn is_view_due(progress: Single<&FilmProgress, With<Film>>, viewed: Res<Viewed>)
 }
 
 fn record_view(
+    mut device: ResMut<Device>,
     mut frame: ResMut<Frame>,
     mut progress: Single<&mut FilmProgress, With<Film>>,
     geometry: Res<SceneGeometry>,
     shot: Res<Shot>,
     viewed: Res<Viewed>,
-) {
-    view::record(&mut frame.picture, &view_params(&geometry, &shot, viewed.0));
+) -> Result<(), EngineError> {
+    match viewed.0 {
+        ViewMode::Debug => {
+            let size = shot.size();
+            for (name, bytes) in debug::buffers(u64::from(size.x) * u64::from(size.y)) {
+                device.0.reserve(name, bytes)?;
+            }
+            debug::record(&mut frame.picture, &shot.params);
+        }
+        mode => view::record(&mut frame.picture, &view_params(&geometry, &shot, mode)),
+    }
     progress.shown = Some(viewed.0);
+    Ok(())
 }
 
 fn is_picture_due(

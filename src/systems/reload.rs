@@ -1,5 +1,6 @@
 //! Puts in place what the worker made, tells what that restarts, and brings back what was there if it fails.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -11,12 +12,12 @@ use super::error::{EngineError, no_fault};
 use super::phase::Phase;
 use super::resources::{Batch, Device, Exposure, FilmProgress, Governor, MaterialSlot, Target, Tree};
 use super::restart::start_again;
-use crate::components::{Film, Name};
+use crate::components::{Film, Name, ShaderValues};
 use crate::gpu::{Code, Compiler, GpuError, GpuTable};
 use crate::layout::trace::MaterialRecord;
-use crate::scene::{self, Loaded, SceneDescription};
-use crate::shader::ErrorKind;
-use crate::watch::{Linter, News, Outcome, Problem, ReloadEvent, Restarts, Sources, Wake, Watch, WatchError};
+use crate::scene::{self, Diagnostic, Loaded, SceneDescription, Severity};
+use crate::shader::{ErrorKind, Parameter};
+use crate::watch::{Linter, News, Outcome, Problem, ReloadEvent, Restarts, Sources, Wake, Watch, WatchError, values};
 
 /// What is watched, what of it runs, and what is on trial.
 #[derive(Resource)]
@@ -159,13 +160,26 @@ fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
     if tied && matches!((&code, &scene), (Some((_, Ok(_))), Some((_, Ok(_))))) {
         (reload.undone, reload.trial.tied) = (false, true);
     }
+    let parameters = match &code {
+        Some((_, Ok(code))) => code.parameters(),
+        _ => world.resource::<Device>().0.parameters().clone(),
+    };
+    scene = scene.map(|(files, scene)| (files, scene.and_then(|scene| refuse_unfit(scene, &parameters))));
+    if tied && matches!(scene, Some((_, Err(_)))) {
+        code = code.filter(|(_, code)| code.is_err());
+    }
     let (mut good, mut bad) = (Vec::new(), Vec::new());
     let (mut any_good, mut problems, mut warnings) = (false, Vec::new(), Vec::new());
     match code {
         Some((files, Ok(code))) => {
             (any_good, good, warnings) = (true, files, slow);
             reload.problems.code.clear();
+            let fitting = unfit_now(world);
             put_code(world, reload, code);
+            if scene.is_none() {
+                let fits = |unfit: &Diagnostic| !fitting.iter().any(|known| known.message == unfit.message);
+                warnings.extend(unfit_now(world).into_iter().filter(fits).map(as_warning));
+            }
             // A scene that had to give way may do so no longer.
             if std::mem::take(&mut reload.retry_scene) {
                 reload.force();
@@ -202,6 +216,24 @@ fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
     if !problems.is_empty() {
         reload.refused.push(ReloadEvent::Failed { files: bad, problems, since_save: saved.elapsed() });
     }
+}
+
+/// A scene, unless it sets what no shader has, or can be set to.
+fn refuse_unfit(scene: Box<Loaded>, parameters: &[Parameter]) -> Result<Box<Loaded>, Vec<Problem>> {
+    let unfit = values::unfit(&scene.description.shader, &scene.shader_places, parameters);
+    if unfit.is_empty() { Ok(scene) } else { Err(unfit.into_iter().map(Problem::from).collect()) }
+}
+
+/// Values of parameters that the shaders which run have no use for: edits of shaders may leave such behind.
+fn unfit_now(world: &mut World) -> Vec<Diagnostic> {
+    let set = world.query::<&ShaderValues>().iter(world).next().cloned().unwrap_or_default();
+    values::unfit(&set, &BTreeMap::new(), world.resource::<Device>().0.parameters())
+}
+
+/// Of a value that had a use until now.
+fn as_warning(unfit: Diagnostic) -> Problem {
+    let message = format!("{}; the default counts, if there is one", unfit.message);
+    Diagnostic { severity: Severity::Warning, message, ..unfit }.into()
 }
 
 /// Runs other code from now on, and puts the film aside that the old code made.
@@ -286,7 +318,7 @@ fn end_trial(
         named.sort_by_key(|(slot, _)| *slot);
         let record = |(slot, name): (u32, &Name)| Some((name.to_string(), *records.rows().get(slot as usize)?));
         let materials = named.into_iter().filter_map(record).collect();
-        reload.linter.start(device.0.gpu(), device.0.library(), materials);
+        reload.linter.start(&device.0, materials);
     }
     if progress.samples > 0 {
         reload.trial.scene = None;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DVec3, Vec4};
 
 use crate::cpu::lint::{DRAWS, Flaw, POINTS, Trial};
-use crate::gpu::{Gpu, GpuError, Runtime};
+use crate::gpu::{Gpu, GpuError, Runtime, Values};
 use crate::layout::lint::{LintAnswer, LintCase, LintParams};
 use crate::layout::trace::MaterialRecord;
 use crate::passes::trace::Needs;
@@ -72,7 +72,7 @@ pub fn kinds(materials: &[(String, MaterialRecord)]) -> Vec<&(String, MaterialRe
     found
 }
 
-/// Asks the code of a library for each kind of `materials`, from each of `views`, degrees from the normal. Each kind of flaw comes once.
+/// Asks the code of a library for each kind of `materials`, from each of `views`, degrees from the normal, with parameters set to `values`. Each kind of flaw comes once.
 ///
 /// None where `wanted` says no on the way.
 pub fn run(
@@ -80,7 +80,7 @@ pub fn run(
     library: Library,
     materials: &[(String, MaterialRecord)],
     views: &[f64],
-    seed: u32,
+    (seed, values): (u32, &Values),
     wanted: impl Fn() -> bool,
 ) -> Result<Option<Vec<Finding>>, GpuError> {
     let shown: Vec<_> = kinds(materials).into_iter().flat_map(|kind| views.iter().map(move |at| (kind, *at))).collect();
@@ -90,6 +90,7 @@ pub fn run(
     }
     let records: Vec<MaterialRecord> = materials.iter().map(|(_, record)| *record).collect();
     let mut runtime = Runtime::new(gpu.clone(), library);
+    runtime.set_values(values.clone());
     runtime.set_features(&Needs { materials: &records, ..Needs::default() }.features());
     runtime.upload("lint_cases", &cases)?;
     let draws = ask(&mut runtime, cases.len(), DRAWS, seed, true)?;

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use super::event::{Problem, ReloadEvent};
 use super::lint::{self, Finding, VIEWS};
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Runtime, Values};
 use crate::layout::trace::MaterialRecord;
 use crate::passes::lint::LINT;
 use crate::passes::trace::Needs;
@@ -57,10 +57,11 @@ impl Linter {
     }
 
     /// Looks at the code that runs now, if it was not yet looked at, on the surfaces of the scene.
-    pub fn start(&mut self, gpu: &Arc<Gpu>, library: &Library, materials: Vec<(String, MaterialRecord)>) {
+    pub fn start(&mut self, runtime: &Runtime, materials: Vec<(String, MaterialRecord)>) {
         let Some(judged) = self.judged.clone().filter(|_| std::mem::take(&mut self.stale)) else { return };
         let serial = self.serial.load(Ordering::Relaxed);
-        let (gpu, library, current) = (gpu.clone(), library.clone(), self.serial.clone());
+        let (gpu, library, current) = (runtime.gpu().clone(), runtime.library().clone(), self.serial.clone());
+        let values = runtime.values().clone();
         let (sender, wake, last) = (self.sender.clone(), self.wake.clone(), self.thread.take());
         self.thread = Some(std::thread::spawn(move || {
             // It ends soon: it is of no use any more.
@@ -68,7 +69,7 @@ impl Linter {
                 let _ = last.join();
             }
             let wanted = || current.load(Ordering::Relaxed) == serial;
-            if let Some(told) = judge(&gpu, &judged, &library, &materials, wanted)
+            if let Some(told) = judge(&gpu, [&judged, &library], &values, &materials, wanted)
                 && sender.send(Verdict { serial, library, told }).is_ok()
             {
                 wake();
@@ -103,8 +104,8 @@ impl Drop for Linter {
 /// None where nothing can be said: the code does not link, does not run, or nobody wants to know any more.
 fn judge(
     gpu: &Arc<Gpu>,
-    judged: &Library,
-    library: &Library,
+    [judged, library]: [&Library; 2],
+    values: &Values,
     materials: &[(String, MaterialRecord)],
     wanted: impl Fn() -> bool,
 ) -> Option<Option<(Vec<Problem>, Duration)>> {
@@ -113,11 +114,11 @@ fn judge(
     let needs = Needs { materials: &records, ..Needs::default() };
     let features = needs.features().into_iter().map(str::to_owned).collect();
     let new = library.link(LINT.module, &features).ok()?;
-    if judged.link(LINT.module, &features).is_ok_and(|old| old.fingerprint() == new.fingerprint()) {
+    if judged.link(LINT.module, &features).is_ok_and(|old| old.is_same(&new)) {
         return Some(None);
     }
     let edited = new.imports.iter().find(|module| judged.hash(module) != library.hash(module));
-    let findings = lint::run(gpu, library.clone(), materials, &VIEWS, SEED, wanted).ok()??;
+    let findings = lint::run(gpu, library.clone(), materials, &VIEWS, (SEED, values), wanted).ok()??;
     let file = edited.map(|module| format!("{module}.wgsl"));
     let warnings = findings.into_iter().map(|finding| problem(file.clone(), &finding)).collect();
     Some(Some((warnings, begin.elapsed())))

@@ -11,6 +11,7 @@ pub mod lint;
 mod linter;
 mod message;
 mod shaders;
+pub mod values;
 mod watcher;
 mod worker;
 

@@ -113,6 +113,7 @@ macro_rules! probe {
             name: $entry,
             module: "tests/bsdf",
             entry: $entry,
+            features: &[],
             bindings: &[Binding::params("BsdfProbe"), Binding::write("probed", "array<vec4<f32>>")],
             makes: &[],
             twin: lucerna::passes::Twin::None("of a test"),

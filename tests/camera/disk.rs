@@ -51,6 +51,7 @@ static DISK: Pass = Pass {
     name: "disk",
     module: "tests/disk",
     entry: "disk",
+    features: &[],
     bindings: &[Binding::params("DiskProbe"), Binding::write("probed", "array<vec4<f32>>")],
     makes: &[],
     twin: lucerna::passes::Twin::None("of a test"),

@@ -35,6 +35,7 @@ static DRAW: Pass = Pass {
     name: "draw_keys_of_lights",
     module: "tests/point_lights",
     entry: "draw_keys_of_lights",
+    features: &[],
     bindings: &[
         Binding::params("TraceParams"),
         Binding::write("probed", "array<vec4<f32>>"),

@@ -1,10 +1,12 @@
 //! The worked edits of shaders/README.md, as they stand there, performed on a running engine.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use glam::UVec2;
-use lucerna::components::{Film, Integrator, Material, Render};
+use glam::{UVec2, Vec4};
+use lucerna::components::{Film, Integrator, Material, Render, ShaderValue, ShaderValues};
+use lucerna::layout::view::ViewMode;
 
 use super::Bench;
 
@@ -161,4 +163,41 @@ fn another_texture_filter_has_the_same_mean() {
     let after = mean(&mut bench);
     assert!(agree(before, after), "{before:?} {after:?}");
     assert!(before != after);
+}
+
+#[test]
+fn a_number_of_ones_own_is_moved_without_compiling() {
+    let mut bench = bench(Integrator::Bsdf);
+    let lambert = mean(&mut bench);
+    perform(&mut bench, 2);
+    let rough = mean(&mut bench);
+    assert!(!agree(lambert, rough), "{lambert:?} {rough:?}");
+    perform(&mut bench, 5);
+    assert_eq!(mean(&mut bench), rough, "the default is what stood there");
+    let compiled = bench.engine.compiled();
+    bench.engine.edit(|world| {
+        for mut values in world.query::<&mut ShaderValues>().iter_mut(world) {
+            values.0.insert("ROUGHNESS".to_owned(), ShaderValue::Number(0.0));
+        }
+    });
+    let smooth = mean(&mut bench);
+    assert!(agree(lambert, smooth), "{lambert:?} {smooth:?}");
+    assert_eq!(bench.engine.compiled(), compiled);
+}
+
+#[test]
+fn a_picture_of_ones_own_is_of_the_paths_that_make_the_film() {
+    let mut bench = bench(Integrator::Bsdf);
+    let before = bench.film();
+    bench.engine.set_view(ViewMode::Debug);
+    bench.finish();
+    assert!(bench.engine.debug_colours().unwrap().unwrap().iter().all(|colour| *colour == Vec4::ZERO));
+    // The call is nothing in the film's kernel but a save of its module: it is traced again, to the same bits.
+    perform(&mut bench, 6);
+    assert_eq!(bench.film().pixels, before.pixels);
+    let colours = bench.engine.debug_colours().unwrap().unwrap();
+    // What looks past all, or at the lamp, ends there; the floor sends a path on once, and nothing else reflects.
+    let rays: BTreeSet<u32> = colours.iter().map(|colour| (8.0 * colour.x) as u32).collect();
+    assert!(colours.iter().all(|colour| colour.w == 1.0), "every path is finished");
+    assert_eq!(rays, BTreeSet::from([1, 2]));
 }

@@ -6,6 +6,7 @@ mod guide;
 mod links;
 mod lint;
 mod many;
+mod parameters;
 mod purposes;
 mod saves;
 mod scenes;

@@ -42,7 +42,6 @@ fn wrong_sweeps_are_told_where_they_stand() {
             r#""both": zip({ "film.exposure": [1, 2], "render.seed": [1] })"#,
             "zip: `render.seed` has 1 values, and `film.exposure` has 2",
         ),
-        (r#""shader.": [1]"#, "`shader.` names no value of a shader"),
         (
             r#""a": range(0, 1, 1000), "b": range(0, 1, 1000)"#,
             "v.ron:3:15: error: 1000000 members, where at most 4096 are rendered: `a` has 1000, `b` has 1000",

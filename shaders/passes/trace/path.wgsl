@@ -1,7 +1,7 @@
 // Paths from the camera: integrator `Path`, which samples a light at every surface (`lights`, `sky_light`), or `Bsdf`, which
 // finds light by hitting it. One sample of one pixel an invocation.
 //
-// begin, extend, shade and scatter are functions over one path state, and the entry point composes them.
+// begin, extend, shade and scatter are functions over one path state, and `trace_path` composes them.
 
 import package::gen::{MaterialRecord, PathState, RadianceSample, SampleKey, TraceParams};
 import package::gen::{Hit, Ray, Triangle, NO_CHANCE, NO_HIT, T_FAR};
@@ -260,13 +260,10 @@ fn finish(state: ptr<function, PathState>) -> RadianceSample {
     return RadianceSample((*state).radiance, (*state).rays);
 }
 
-@compute @workgroup_size(8, 8)
-fn path(@builtin(global_invocation_id) id: vec3<u32>) {
-    if (id.x >= params.window_width || id.y >= params.window_height || id.z >= params.layers) {
-        return;
-    }
+// One sample of a pixel of the whole film.
+fn trace_path(pixel: vec2<u32>, sample: u32) -> RadianceSample {
     let extent = scene_extent(params.root);
-    var state = begin(id.xy + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
+    var state = begin(pixel, sample);
     @if(lights || sky_light) {
         // Segments and shadow rays take turns in one loop, so that traversal is compiled once.
         var ray = segment_ray(state);
@@ -311,5 +308,14 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
             }
         }
     }
-    radiance[(id.z * params.window_height + id.y) * params.window_width + id.x] = finish(&state);
+    return finish(&state);
+}
+
+@compute @workgroup_size(8, 8)
+fn path(@builtin(global_invocation_id) id: vec3<u32>) {
+    if (id.x >= params.window_width || id.y >= params.window_height || id.z >= params.layers) {
+        return;
+    }
+    let sample = trace_path(id.xy + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
+    radiance[(id.z * params.window_height + id.y) * params.window_width + id.x] = sample;
 }

@@ -291,7 +291,7 @@ impl Judge {
 fn is_changed(old: &Library, new: &Library, features: &Features) -> Result<bool, ShaderError> {
     let mut changed = false;
     for pass in TABLE.iter().filter(|pass| !pass.makes.is_empty()) {
-        changed |= old.link(pass.module, features)?.fingerprint() != new.link(pass.module, features)?.fingerprint();
+        changed |= !old.link(pass.module, features)?.is_same(&new.link(pass.module, features)?);
     }
     Ok(changed)
 }

@@ -24,13 +24,14 @@ use std::time::Instant;
 use crate::app::shared::failure::show;
 use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::output;
+use crate::app::shared::parameters;
 use crate::app::shared::pictures::watch_pictures;
 use crate::app::shared::progress::{Goal, Meter, clock};
 use crate::app::shared::scene::choose_camera;
 use crate::app::{Exit, Failure};
 use crate::gpu::Gpu;
 use crate::image::{Outputs, Picture};
-use crate::scene::{self, Loading, SceneDescription};
+use crate::scene::{self, Loaded, Loading};
 use crate::shader::Library;
 use report::JudgeSummary;
 
@@ -41,10 +42,11 @@ pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     let begin = Instant::now();
     let interrupt = Interrupt::listen(Exit::Interrupted);
-    let (path, description, files) = describe(arguments)?;
-    let (mut outputs, prepared) = output::prepare(&arguments.output, &files)?;
+    let (path, Loaded { description, files, shader_places, .. }) = describe(arguments)?;
     let old = arguments.old.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open)?;
     let new = Library::open(&arguments.new)?;
+    parameters::check_either(&description.shader, &shader_places, [&old, &new])?;
+    let (mut outputs, prepared) = output::prepare(&arguments.output, &files)?;
     let gpu = Gpu::open()?;
     let mut judge = match Judge::open(&gpu, [&old, &new], &description, arguments.plan(begin), interrupt.flag()) {
         Err(JudgeError::Stopped) => return Ok(Exit::Interrupted),
@@ -74,24 +76,24 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     })
 }
 
-/// The scene as it is to be judged, with its path and all files that were read for it.
-fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, SceneDescription, Vec<PathBuf>), Failure> {
+/// The scene as it is to be judged, with its path and all that was read for it.
+fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, Loaded), Failure> {
     let path = scene::find(&arguments.scene)?;
     let tell = watch_pictures(arguments.quiet);
-    let loaded = scene::load_with(&path, &arguments.define, &Loading { tell: &tell, ..Loading::default() })?;
+    let mut loaded = scene::load_with(&path, &arguments.define, &Loading { tell: &tell, ..Loading::default() })?;
     if !arguments.quiet {
         loaded.warnings.iter().for_each(|warning| show(warning));
     }
-    let mut description = loaded.description;
+    let description = &mut loaded.description;
     if let Some(name) = &arguments.camera {
-        choose_camera(&mut description, name)?;
+        choose_camera(description, name)?;
     }
     if let Some(size) = arguments.size {
         description.film.size = size;
         // A crop in pixels is one of the scene's own size.
         description.film.crop = None;
     }
-    Ok((path, description, loaded.files))
+    Ok((path, loaded))
 }
 
 /// Traces until an analysis ends it, or a signal does.

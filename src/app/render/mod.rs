@@ -12,6 +12,7 @@ use crate::app::shared::compiling::watch_compiling;
 use crate::app::shared::failure::show;
 use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::output;
+use crate::app::shared::parameters;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::scene::Opened;
 use crate::app::shared::textures::TextureNotices;
@@ -39,12 +40,13 @@ enum Ended {
 pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let begin = Instant::now();
-    let Opened { path, mut description, files } = arguments.flags.open(&arguments.scene, arguments.quiet)?;
+    let opened = arguments.flags.open(&arguments.scene, arguments.quiet)?;
+    let library = arguments.flags.library(&opened)?;
+    let Opened { path, mut description, files, .. } = opened;
     if arguments.time.is_some() && !arguments.flags.settings.gives("spp") {
         // The scene's own number of samples is no limit.
         description.render.spp = u32::MAX;
     }
-    let library = arguments.flags.library()?;
     let (mut outputs, prepared) = output::prepare(&outputs(arguments, &path)?, &files)?;
     let load = begin.elapsed();
 
@@ -58,6 +60,10 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
 
     let ended = trace(&mut engine, &description, arguments, &interrupt)?;
     let film = engine.film().map_err(Failure::engine)?;
+    if !arguments.quiet {
+        let unread = parameters::unread(&description.shader, &engine);
+        unread.iter().for_each(|warning| output::note(&format!("warning: {warning}")));
+    }
     let report = engine.report().map_err(Failure::engine)?;
     if report.samples == 0 {
         output::note(NOTHING);

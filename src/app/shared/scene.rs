@@ -1,16 +1,18 @@
 //! The scene that a command line names, and what it says over the scene's file.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::failure::{Failure, show};
+use super::parameters;
 use super::pictures::watch_pictures;
 use super::settings::SettingFlags;
 use super::values::define;
 use crate::scene::settings::Settings;
-use crate::scene::{self, Define, Loading, SceneDescription};
-use crate::shader::{Layers, Library, ShaderError};
+use crate::scene::{self, Define, Loading, SceneDescription, ShaderPlace};
+use crate::shader::{Layers, Library};
 use crate::watch::{Adjust, Sources, WatchedScene};
 
 /// What every command that draws a scene takes beside its name.
@@ -22,7 +24,7 @@ pub struct SceneFlags {
     // Help texts have it before the seed.
     #[arg(long, value_name = "NAME", display_order = 3)]
     pub camera: Option<String>,
-    /// Change a value of the scene file, such as -D materials.ball.ns=64
+    /// Change a value of the scene file, such as -D materials.ball.ns=64, or set a parameter of a shader, -D shader.NAME=2
     #[arg(short = 'D', value_name = "KEY=VALUE", value_parser = define)]
     pub define: Vec<Define>,
     /// The folder of shaders [default: ./shaders where there is one, else those that were built in]
@@ -38,6 +40,8 @@ pub struct Opened {
     pub description: SceneDescription,
     /// Every file that was read.
     pub files: Vec<PathBuf>,
+    /// Where shaders' parameters are set, by their names.
+    pub shader_places: BTreeMap<String, ShaderPlace>,
 }
 
 impl SceneFlags {
@@ -55,15 +59,17 @@ impl SceneFlags {
         if let Some(warning) = unseen.filter(|warning| !quiet && !loaded.warnings.contains(warning)) {
             show(&warning);
         }
-        Ok(Opened { path, description, files: loaded.files })
+        Ok(Opened { path, description, files: loaded.files, shader_places: loaded.shader_places })
     }
 
-    /// The shaders to draw with.
-    pub fn library(&self) -> Result<Library, ShaderError> {
-        match self.shader_folder() {
-            Some(folder) => Library::open(folder),
-            None => Ok(Library::embedded()),
-        }
+    /// The shaders to draw a scene with, which are to have the parameters that it sets.
+    pub fn library(&self, opened: &Opened) -> Result<Library, Failure> {
+        let library = match self.shader_folder() {
+            Some(folder) => Library::open(folder)?,
+            None => Library::embedded(),
+        };
+        parameters::check(&opened.description.shader, &opened.shader_places, &library)?;
+        Ok(library)
     }
 
     /// What an engine that runs the scene with `library` is to watch.

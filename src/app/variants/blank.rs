@@ -17,7 +17,6 @@ pub fn missing(member: &Member) -> Record {
         member.defines.iter().map(|define| (define.path.clone(), define.value.clone())).collect();
     settings.extend(member.scene.iter().map(|scene| ("scene".to_owned(), name_of(scene))));
     settings.extend(member.shaders.iter().map(|folder| ("shaders".to_owned(), folder.display().to_string())));
-    settings.extend(member.values.iter().map(|(name, value)| (format!("shader.{name}"), value.clone())));
     Record {
         name: member.name.clone(),
         key: String::new(),

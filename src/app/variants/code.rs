@@ -6,9 +6,6 @@ use std::path::{Path, PathBuf};
 use crate::scene::variants::Member;
 use crate::shader::{Library, ShaderError};
 
-/// Of a folder, and the values of its `override`s.
-type Wanted = (Option<PathBuf>, BTreeMap<String, String>);
-
 /// Of all modules of a library.
 type Hashes = BTreeMap<String, Option<u64>>;
 
@@ -17,7 +14,7 @@ pub struct Codes {
     /// Of members that have no folder of their own; `None` are the built-in ones.
     folder: Option<PathBuf>,
     folders: BTreeMap<Option<PathBuf>, Result<Library, ShaderError>>,
-    numbers: BTreeMap<Wanted, usize>,
+    numbers: BTreeMap<Option<PathBuf>, usize>,
     libraries: Vec<Library>,
     /// The same by their texts.
     known: BTreeMap<Hashes, usize>,
@@ -39,21 +36,19 @@ impl Codes {
 
     /// The number of a member's shaders, or what is wrong with them.
     pub fn number(&mut self, member: &Member) -> Result<usize, String> {
-        let wanted = (member.shaders.clone(), member.values.clone());
-        if let Some(number) = self.numbers.get(&wanted) {
+        if let Some(number) = self.numbers.get(&member.shaders) {
             return Ok(*number);
         }
         let mut library = self.opened(self.folder.clone())?;
         if let Some(folder) = &member.shaders {
             library = self.opened(Some(folder.clone()))?.laid_over(&library);
         }
-        let library = library.with_values(&member.values).map_err(|error| error.to_string())?;
         // Another folder of the same files is the same code.
         let number = *self.known.entry(library.hashes()).or_insert(self.libraries.len());
         if number == self.libraries.len() {
             self.libraries.push(library);
         }
-        self.numbers.insert(wanted, number);
+        self.numbers.insert(member.shaders.clone(), number);
         Ok(number)
     }
 

@@ -254,9 +254,9 @@ fn member(
     Ok(Some((record, traced.film, described.metadata())))
 }
 
-/// The command that renders a member alone. `render` sets no values of shaders, and takes folders that are whole.
+/// The command that renders a member alone. `render` takes folders of shaders that are whole.
 pub fn repeat(family: &Family, survey: &Survey, subject: &Subject, described: &Described) -> String {
-    if subject.member.values.is_empty() && subject.member.shaders.is_none() {
+    if subject.member.shaders.is_none() {
         return described.repeat();
     }
     let [file, name] = [&family.path.display().to_string(), &subject.member.name].map(|word| quoted(word));

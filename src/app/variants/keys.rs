@@ -20,6 +20,8 @@ pub struct Keys {
     /// Lights without extent.
     pub lights: usize,
     pub materials: usize,
+    /// Of shaders' parameters.
+    pub values: usize,
     /// Camera, and the film but its exposure.
     pub view: usize,
     /// Samples a pixel: a film goes on with more.
@@ -75,6 +77,7 @@ impl Numbering {
             settings: self.number("settings", format!("{settings:?}")),
             lights: self.number("lights", format!("{:?}", scene.lights)),
             materials: self.number("materials", format!("{:?}", scene.materials)),
+            values: self.number("values", format!("{:?}", scene.shader)),
             view: self.number("view", format!("{view:?}")),
             spp: scene.render.spp,
             exposure: self.number("exposure", format!("{:?}", scene.film.exposure)),

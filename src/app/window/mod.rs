@@ -75,9 +75,13 @@ pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
     let opening = match variant_file(&arguments.scene) {
         Some(path) => {
             let (family, opened, library) = Family::open(&path, &flags)?;
-            Opening::new(opened, flags, wake).of_family(family, library)
+            Opening::new(opened, library, flags, wake).of_family(family)
         }
-        None => Opening::new(flags.open(&arguments.scene, false)?, flags, wake),
+        None => {
+            let opened = flags.open(&arguments.scene, false)?;
+            let library = flags.library(&opened)?;
+            Opening::new(opened, library, flags, wake)
+        }
     };
     let mut application = Application::new(opening);
     events.run_app(&mut application).map_err(|error| Failure::of(Ended(error)))?;

@@ -38,8 +38,8 @@ pub struct Opening {
     flags: SceneFlags,
     /// Those that the scene is a member of.
     family: Option<Family>,
-    /// The shaders to go on with, where they were read already.
-    shaders: Option<Library>,
+    /// The shaders to go on with.
+    shaders: Library,
     /// A device was lost.
     again: bool,
     /// Wakes the window when something was saved.
@@ -47,14 +47,14 @@ pub struct Opening {
 }
 
 impl Opening {
-    /// A scene as it was read.
-    pub fn new(opened: Opened, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
-        Self { description: opened.description.clone(), opened, flags, family: None, shaders: None, again: false, wake }
+    /// A scene as it was read, and the shaders that draw it.
+    pub fn new(opened: Opened, shaders: Library, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
+        Self { description: opened.description.clone(), opened, flags, family: None, shaders, again: false, wake }
     }
 
-    /// A member of a family, and its shaders.
-    pub fn of_family(self, family: Family, shaders: Library) -> Self {
-        Self { family: Some(family), shaders: Some(shaders), ..self }
+    /// A member of a family.
+    pub fn of_family(self, family: Family) -> Self {
+        Self { family: Some(family), ..self }
     }
 
     /// Watches the scene's files and the shaders. The window does without if that can't be done.
@@ -104,10 +104,7 @@ pub struct Session {
 impl Session {
     /// Opens a device for the window, and the scene on it.
     pub fn open(window: Arc<Window>, opening: Opening) -> Result<Session, EngineError> {
-        let library = match &opening.shaders {
-            Some(library) => library.clone(),
-            None => opening.flags.library().map_err(GpuError::from)?,
-        };
+        let library = opening.shaders.clone();
         let features = library.features().map_err(GpuError::from)?.into_iter().collect();
         let (gpu, screen) = Screen::open(&window, &library)?;
         let mut engine = Engine::open(gpu.clone(), library.clone(), &opening.description)?;
@@ -154,7 +151,7 @@ impl Session {
         if let Some(saved) = self.engine.saved_scene() {
             opened.description = saved.clone();
         }
-        let shaders = Some(self.engine.library());
+        let shaders = self.engine.library();
         self.end_judging();
         (self.window, Opening { description, opened, shaders, again: true, ..self.opening })
     }

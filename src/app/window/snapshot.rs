@@ -44,6 +44,10 @@ fn metadata(scene: &SceneDescription, adapter: &str, film: &FilmImage) -> Vec<(&
         ("spp", film.spp.to_string()),
     ];
     data.extend(describe::settings(scene).map(|(setting, text)| (setting.field, text)));
+    let values: Vec<String> = scene.shader.0.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    if !values.is_empty() {
+        data.push(("shader", values.join("; ")));
+    }
     data.push(("adapter", adapter.to_owned()));
     data
 }

@@ -23,6 +23,7 @@ pub static BOUNDS: Pass = Pass {
     name: "bounds",
     module: "passes/morton/bounds",
     entry: "bounds",
+    features: &[],
     bindings: &[
         Binding::read("triangles", "array<Triangle>"),
         Binding::write("centroid_bounds", "array<atomic<u32>>"),
@@ -37,6 +38,7 @@ pub static MORTON: Pass = Pass {
     name: "morton",
     module: "passes/morton/morton",
     entry: "morton",
+    features: &[],
     bindings: &[
         Binding::read("triangles", "array<Triangle>"),
         Binding::read("centroid_bounds", "array<vec4<u32>>"),
@@ -53,6 +55,7 @@ pub static LEAVES: Pass = Pass {
     name: "leaves",
     module: "passes/tree/leaves",
     entry: "gather_leaves",
+    features: &[],
     bindings: &[
         Binding::read("triangles", "array<Triangle>"),
         Binding::read("sort_plan", "SortPlan"),
@@ -71,6 +74,7 @@ pub static PYRAMID: Pass = Pass {
     name: "pyramid",
     module: "passes/tree/pyramid",
     entry: "build_levels",
+    features: &[],
     bindings: &[Binding::write("boxes", "array<LeafBox>"), Binding::params("PyramidParams")],
     makes: &[Makes::Tree],
     twin: twin!(tree::pyramid),
@@ -81,6 +85,7 @@ pub static NODES: Pass = Pass {
     name: "nodes",
     module: "passes/tree/nodes",
     entry: "build_nodes",
+    features: &[],
     bindings: &[
         Binding::read("sort_plan", "SortPlan"),
         Binding::read("keys", "array<vec2<u32>>"),

@@ -8,6 +8,7 @@ mod light;
 mod map;
 mod material;
 mod model;
+mod shader;
 
 use std::collections::BTreeMap;
 
@@ -18,17 +19,19 @@ use super::environment::{EnvironmentEntry, read_environment};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::settings::{Group, SETTINGS, Settings, Value};
 use super::suggest::known_names;
-use crate::components::{Camera, Crop, Film, PointLight};
+use crate::components::{Camera, Crop, Film, PointLight, ShaderValue};
 use animate::read_animation;
 use camera::read_camera;
 use entries::{read_entries, read_list};
 use light::read_light;
 use material::read_materials;
 use model::read_model;
+use shader::read_values;
 
 pub use extend::{Chain, is_of_family, merge, no_scene, take_extends};
 pub use material::{MaterialEntry, plain_field};
 pub use model::{ModelEntry, Parent};
+pub use shader::ShaderPlace;
 
 /// The camera of scenes that have none.
 pub const DEFAULT_CAMERA: &str = "default";
@@ -47,6 +50,8 @@ pub struct SceneFile {
     pub dark_if_lit: bool,
     /// Sorted by name; full keys (`model:material`) after bare names, so that they win.
     pub materials: Vec<MaterialEntry>,
+    /// By the names of parameters.
+    pub shader: BTreeMap<String, (ShaderValue, ShaderPlace)>,
     pub animation: Option<Animation>,
 }
 
@@ -85,6 +90,9 @@ pub fn read_scene(reader: &Reader, root: &Node, animated: bool) -> SceneFile {
     if let Some(node) = fields.get("materials") {
         file.materials = read_materials(reader, node, "materials");
         file.materials.sort_by_key(|entry| (entry.name.contains(':'), entry.name.clone()));
+    }
+    if let Some(node) = fields.get("shader") {
+        file.shader = read_values(reader, node, "shader");
     }
     let animate = fields.get("animate").filter(|_| animated);
     file.animation = animate.and_then(|node| read_animation(reader, node, "animate"));

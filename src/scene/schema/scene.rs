@@ -3,7 +3,9 @@
 use schemars::{Schema, json_schema};
 use serde_json::Map;
 
-use super::parts::{about, any, between, each, list, map, number, object, or_none, text, tuple, variant, whole};
+use super::parts::{
+    about, any, between, each, list, map, number, object, or_none, switch, text, tuple, variant, whole,
+};
 use super::values::{keys, settings};
 use crate::components::{Lens, PointLight, SpotCone};
 use crate::scene::animate::{FPS, FPS_RANGE, MOST_FRAMES};
@@ -29,9 +31,15 @@ pub fn fields() -> impl Iterator<Item = (&'static str, Schema)> {
         ("render", render()),
         ("environment", environment()),
         ("materials", map("changes of materials, by `name` or `model:name`", or_none(material()))),
+        ("shader", map("values of parameters that shaders declare by `override`, by name", or_none(shader_value()))),
         ("animate", animation()),
     ]
     .into_iter()
+}
+
+/// Which of them a shader takes, it says itself.
+pub fn shader_value() -> Schema {
+    any(vec![number(), switch()])
 }
 
 fn film() -> Schema {

@@ -4,7 +4,7 @@ use schemars::{Schema, json_schema};
 use serde_json::{Map, Value};
 
 use super::parts::{about, any, between, map, number, object, or_none, text, variant, whole};
-use super::scene::{camera, fields, light, material, model};
+use super::scene::{camera, fields, light, material, model, shader_value};
 use super::values::{keys, settings};
 use crate::scene::settings::Group;
 
@@ -46,8 +46,7 @@ fn by_path(doc: &str, of: impl Fn(Schema) -> Schema) -> Schema {
     add(format!(r"^cameras\.{NAME}$"), or_none(camera()));
     add(format!(r"^lights\.{NAME}$"), or_none(light()));
     add(r"^models\.[0-9]+$".to_owned(), model());
-    let value = json_schema!({ "type": ["number", "boolean"] });
-    add(r"^shader\.[A-Za-z_][A-Za-z_0-9]*$".to_owned(), value);
+    add(format!(r"^shader\.{NAME}$"), or_none(shader_value()));
     json_schema!({ "description": doc, "type": "object", "properties": paths, "patternProperties": patterns })
 }
 

@@ -1,6 +1,5 @@
 //! What a variant file or an animation comes to: members, and what they are compared by.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::scene::define::Define;
@@ -64,8 +63,6 @@ pub struct Member {
     pub defines: Vec<Define>,
     /// A folder of shaders, where it has its own.
     pub shaders: Option<PathBuf>,
-    /// Values of its shaders' `override`s, as WGSL.
-    pub values: BTreeMap<String, String>,
     /// Where it is asked for: a warning without a message.
     pub place: Diagnostic,
     /// A file or folder that it names is not there.

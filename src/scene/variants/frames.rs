@@ -15,7 +15,7 @@ const _: () = assert!(MOST_FRAMES as usize <= MOST_MEMBERS);
 
 /// The frames of a scene file; none where nothing of it is animated. `defines` change the scene before keys do.
 pub fn frames(scene: &Path, defines: &[Define], assets: &Assets) -> Result<Option<Family>, Diagnostics> {
-    let mut still = plain(&Diagnostic::file(Severity::Error, scene, ""), defines.iter())?;
+    let mut still = plain(&Diagnostic::file(Severity::Error, scene, ""), defines.iter());
     let (mut files, mut diagnostics) = (Vec::new(), Diagnostics::default());
     let mut reading = Reading { assets, files: &mut files, diagnostics: &mut diagnostics, animated: true };
     let file = reading.scene(scene, &still.defines);
@@ -32,7 +32,7 @@ pub fn frames(scene: &Path, defines: &[Define], assets: &Assets) -> Result<Optio
         let name = format!("{frame:0digits$}");
         at(&tracks, frame, Member { name, at: vec![frame as usize], ..still.clone() })
     };
-    let members = (0..frames).map(frame).collect::<Result<Vec<Member>, Diagnostic>>()?;
+    let members = (0..frames).map(frame).collect::<Vec<Member>>();
     let axis = Axis {
         name: "frame".to_owned(),
         paths: tracks.iter().map(|track| track.path.clone()).collect(),
@@ -53,11 +53,11 @@ pub fn frames(scene: &Path, defines: &[Define], assets: &Assets) -> Result<Optio
 }
 
 /// A scene as it is at a frame.
-fn at(tracks: &[Track], frame: u32, still: Member) -> Result<Member, Diagnostic> {
+fn at(tracks: &[Track], frame: u32, still: Member) -> Member {
     let mut member = still;
     for track in tracks {
-        change(&mut member, &track.at(f64::from(frame)))?;
+        change(&mut member, &track.at(f64::from(frame)));
         member.place = track.place.clone();
     }
-    Ok(member)
+    member
 }

@@ -42,10 +42,10 @@ pub fn enumerate(
     let columns: Vec<(&str, &Diagnostic)> = columns.map(|column| (column.path.as_str(), &column.place)).collect();
     let help = "one would write over the other: go through one of them, or through both by one axis of named({..})";
     refuse_overlaps(&columns, help).map_err(fail)?;
-    let plain = plain(&family.place, family.overrides.iter().chain(defines)).map_err(fail)?;
+    let plain = plain(&family.place, family.overrides.iter().chain(defines));
     let mut members = Vec::with_capacity(grid + family.members.len());
     for index in 0..grid {
-        members.push(of_grid_at(&family.sweep, index, plain.clone()).map_err(fail)?);
+        members.push(of_grid_at(&family.sweep, index, plain.clone()));
     }
     for by_hand in &family.members {
         members.push(written(by_hand, plain.clone()).map_err(fail)?);
@@ -82,21 +82,20 @@ pub fn enumerate(
 }
 
 /// As every member of a file begins, of which `place` is an error without its message.
-pub fn plain<'d>(place: &Diagnostic, defines: impl Iterator<Item = &'d Define>) -> Result<Member, Diagnostic> {
+pub fn plain<'d>(place: &Diagnostic, defines: impl Iterator<Item = &'d Define>) -> Member {
     let mut plain = Member {
         name: String::new(),
         at: Vec::new(),
         scene: None,
         defines: Vec::new(),
         shaders: None,
-        values: BTreeMap::new(),
         place: Diagnostic { severity: Severity::Warning, ..place.clone() },
         wrong: None,
     };
     for define in defines {
-        change(&mut plain, define)?;
+        change(&mut plain, define);
     }
-    Ok(plain)
+    plain
 }
 
 /// How many members a grid has; none where that is beyond counting.
@@ -105,7 +104,7 @@ fn product(axes: &[Swept]) -> Option<usize> {
 }
 
 /// A member of the grid by its number, the last axis fastest.
-fn of_grid_at(axes: &[Swept], index: usize, plain: Member) -> Result<Member, Diagnostic> {
+fn of_grid_at(axes: &[Swept], index: usize, plain: Member) -> Member {
     let mut member = plain;
     let mut rest = index;
     member.at = axes.iter().rev().map(|axis| (rest % axis.labels.len(), rest /= axis.labels.len()).0).collect();
@@ -114,14 +113,14 @@ fn of_grid_at(axes: &[Swept], index: usize, plain: Member) -> Result<Member, Dia
         for column in &axis.columns {
             let value = &column.values[at];
             let written = Written::File { path: Box::new(column.place.clone()), value: Box::new(value.place.clone()) };
-            change(&mut member, &Define { path: column.path.clone(), value: value.value.clone(), written })?;
+            change(&mut member, &Define { path: column.path.clone(), value: value.value.clone(), written });
         }
         member.place = axis.place.clone();
     }
     let labels: Vec<&str> = axes.iter().zip(&member.at).map(|(axis, at)| axis.labels[*at].as_str()).collect();
     let name = labels.join("_");
     member.name = if name.chars().count() <= LONGEST { name } else { format!("member-{}", index + 1) };
-    Ok(member)
+    member
 }
 
 fn written(by_hand: &ByHand, plain: Member) -> Result<Member, Diagnostic> {
@@ -133,7 +132,7 @@ fn written(by_hand: &ByHand, plain: Member) -> Result<Member, Diagnostic> {
     }
     let mut member = Member { name: by_hand.name.clone(), place: by_hand.place.clone(), ..plain };
     for define in &by_hand.changes {
-        change(&mut member, define)?;
+        change(&mut member, define);
     }
     Ok(member)
 }

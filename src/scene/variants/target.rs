@@ -1,4 +1,4 @@
-//! What a path of a variant file is about: the scene, or shaders.
+//! What a path of a variant file is about: the scene, or its folder of shaders.
 
 use std::path::{Path, PathBuf};
 
@@ -15,25 +15,15 @@ const SCENE: &str = "scene";
 /// The path of the folder of shaders.
 const SHADERS: &str = "shaders";
 
-/// Before the names of values of shaders.
-const SHADER_VALUE: &str = "shader.";
-
 /// Has a member changed by one define.
-pub fn change(member: &mut Member, define: &Define) -> Result<(), Diagnostic> {
+pub fn change(member: &mut Member, define: &Define) {
     if define.path == SCENE {
         found(named(define, SCENE, "file", Path::is_file), member, |member, file| member.scene = Some(file));
     } else if define.path == SHADERS {
         found(folder(define), member, |member, folder| member.shaders = folder);
-    } else if let Some(name) = define.path.strip_prefix(SHADER_VALUE) {
-        if name.is_empty() || !name.chars().all(|c| c.is_alphanumeric() || c == '_') {
-            let message = format!("`{}` names no value of a shader", define.path);
-            return Err(wrong(define, message).help("write shader.NAME, where a module has `override NAME`"));
-        }
-        member.values.insert(name.to_owned(), define.value.clone());
     } else {
         member.defines.push(define.clone());
     }
-    Ok(())
 }
 
 /// Has what was found, or is wrong.

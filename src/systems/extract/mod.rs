@@ -12,6 +12,7 @@ mod step;
 mod surfaces;
 mod textures;
 mod uvs;
+mod values;
 
 use bevy_ecs::prelude::*;
 
@@ -30,6 +31,7 @@ pub fn add_systems(schedule: &mut Schedule) {
     sky::add_systems(schedule);
     shot::add_systems(schedule);
     film::add_systems(schedule);
+    values::add_systems(schedule);
     schedule.configure_sets(
         (
             Step::Settings,

@@ -7,6 +7,8 @@ use crate::shader::{Library, ShaderError};
 
 /// Of the scene, and of the shaders that trace it.
 pub fn reference_key(description: &SceneDescription, library: &Library) -> Result<String, ShaderError> {
-    let kernel = library.link(PATH.module, &library.features()?)?.text;
-    Ok(format!("{:016x}", hash((scene_key(description), kernel))))
+    let kernel = library.link(PATH.module, &library.features()?)?;
+    // The text has no values of parameters.
+    let declared: Vec<String> = kernel.parameters.iter().map(|own| own.parameter.to_string()).collect();
+    Ok(format!("{:016x}", hash((scene_key(description), kernel.text, declared))))
 }

@@ -24,6 +24,7 @@ use crate::app::shared::failure::show;
 use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::key::scene_key;
 use crate::app::shared::output;
+use crate::app::shared::parameters;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::tracer::{Monitor, Tracer};
 use crate::app::{Exit, Failure};
@@ -88,6 +89,7 @@ fn subject(name: &str, arguments: &LightArguments, library: &Library) -> Result<
         loaded.warnings.iter().for_each(|warning| show(warning));
     }
     let mut description = loaded.description;
+    parameters::check(&description.shader, &loaded.shader_places, library)?;
     if let Some(size) = arguments.size {
         description.film.size = size;
         // A crop in pixels is one of the scene's own size.

@@ -77,7 +77,7 @@ impl Followed {
             warnings.splice(0..0, family.warnings.iter().cloned());
             named.clone_from(&files);
         }
-        let (base, over, values) = (self.shaders.clone(), member.shaders.clone(), member.values.clone());
-        Attempt { scene, files, shaders: Some(Layers { base, over, values }) }
+        let (base, over) = (self.shaders.clone(), member.shaders.clone());
+        Attempt { scene, files, shaders: Some(Layers { base, over }) }
     }
 }

@@ -10,6 +10,7 @@ pub use listing::Listing;
 
 use crate::app::Failure;
 use crate::app::shared::failure::show;
+use crate::app::shared::parameters;
 use crate::app::shared::scene::{Opened, SceneFlags};
 use crate::scene::{Assets, Diagnostics};
 use crate::shader::{Layers, Library};
@@ -49,8 +50,10 @@ impl Family {
                     flags.adjust(&mut description)?;
                     let layers = shaders.unwrap_or_default();
                     let library = layers.read()?;
+                    parameters::check(&description.shader, &loaded.shader_places, &library)?;
                     lock(&listing).choose(&member.name);
-                    let opened = Opened { path: path.to_path_buf(), description, files };
+                    let shader_places = loaded.shader_places;
+                    let opened = Opened { path: path.to_path_buf(), description, files, shader_places };
                     let (path, flags) = (path.to_path_buf(), flags.clone());
                     return Ok((Family { path, flags, listing, layers, assets, files: family.files }, opened, library));
                 }

@@ -3,11 +3,13 @@
 //! Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
 //! engine finds out by itself what it makes undone.
 
+pub mod debug;
 pub mod lens;
 pub mod lights;
 mod maps;
 pub mod materials;
 pub mod members;
+pub mod parameters;
 mod passes;
 mod pixel;
 mod progress;
@@ -107,11 +109,19 @@ impl Panel {
                 }
                 section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
                 section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref()));
-                section(ui, "View", true, |ui| outcome.edited |= settings::view(ui, engine));
+                section(ui, "View", true, |ui| {
+                    outcome.edited |= settings::view(ui, engine, self.readings.debug.as_ref());
+                });
                 section(ui, "Camera", true, |ui| {
                     outcome.camera = settings::cameras(ui, engine);
                     outcome.lens = lens::show(ui, camera, size);
                 });
+                let parameters = parameters::all(engine);
+                if !parameters.is_empty() {
+                    section(ui, "Shader", true, |ui| {
+                        outcome.moved |= engine.edit(|world| parameters::show(ui, world, &parameters));
+                    });
+                }
                 engine.edit(|world| {
                     section(ui, "Settings", true, |ui| outcome.edited |= settings::show(ui, world));
                     let seen =

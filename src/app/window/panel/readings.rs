@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 
 use glam::UVec2;
 
-use crate::engine::Inspected;
-use crate::engine::{Engine, EngineError, Report};
+use crate::engine::{DebugRange, Engine, EngineError, Inspected, Report};
 use crate::gpu::PassTiming;
+use crate::passes::debug::DEBUG;
 
 /// Time between two readings of the film, at least.
 const FILM: Duration = Duration::from_secs(1);
@@ -45,6 +45,10 @@ pub struct Readings {
     /// Dispatches by pass between the last two readings that found any.
     pub dispatched: BTreeMap<&'static str, u64>,
     pub pixel: Option<Inspected>,
+    /// Of view "debug", if that is shown.
+    pub debug: Option<DebugRange>,
+    /// How often that view had been drawn when it was read.
+    debug_read: u64,
     film_read: Option<(Instant, Stamp)>,
     film_cost: Duration,
     pixel_read: Option<(Instant, Option<UVec2>, Stamp)>,
@@ -66,6 +70,8 @@ impl Readings {
             passes: Vec::new(),
             dispatched: BTreeMap::new(),
             pixel: None,
+            debug: None,
+            debug_read: 0,
             film_read: None,
             film_cost: Duration::ZERO,
             pixel_read: None,
@@ -98,6 +104,9 @@ impl Readings {
     /// When the next reading is due; none if nothing changed since the last.
     pub fn next(&self, engine: &mut Engine, pixel: Option<UVec2>, began: Instant) -> Option<Instant> {
         let (stamp, now) = (stamp(engine, began), Instant::now());
+        if self.debug_due(engine).is_some() {
+            return Some(now);
+        }
         [self.film_due(stamp, now), self.pixel_due(pixel, stamp, now)].into_iter().flatten().min()
     }
 
@@ -122,7 +131,18 @@ impl Readings {
                 None => None,
             };
         }
-        Ok(film || one)
+        let debug = self.debug_due(engine);
+        if let Some(drawn) = debug {
+            self.debug_read = drawn;
+            self.debug = engine.debug_colours()?.map(|colours| DebugRange::of(&colours));
+        }
+        Ok(film || one || debug.is_some())
+    }
+
+    /// How often view "debug" was drawn, if it is to be read: it is drawn once for each film.
+    fn debug_due(&self, engine: &Engine) -> Option<u64> {
+        let drawn = engine.dispatches().get(DEBUG.name).copied().unwrap_or(0);
+        (drawn != self.debug_read).then_some(drawn)
     }
 
     fn read_film(&mut self, engine: &mut Engine, stamp: Stamp, now: Instant) -> Result<(), EngineError> {

@@ -3,9 +3,10 @@
 use bevy_ecs::prelude::*;
 use egui::{DragValue, Slider, Ui};
 
+use super::debug;
 use crate::app::window::cameras;
 use crate::components::{Film, Render};
-use crate::engine::Engine;
+use crate::engine::{DebugRange, Engine};
 use crate::layout::view::ViewMode;
 use crate::scene::settings::{Choice, SETTINGS, Setting, Settings, Value};
 
@@ -24,8 +25,8 @@ pub fn cameras(ui: &mut Ui, engine: &Engine) -> Option<String> {
     chosen
 }
 
-/// What the picture shows. Says whether another was chosen.
-pub fn view(ui: &mut Ui, engine: &mut Engine) -> bool {
+/// What the picture shows; `debug` is what is known of view "debug". Says whether another was chosen.
+pub fn view(ui: &mut Ui, engine: &mut Engine, debug: Option<&DebugRange>) -> bool {
     let before = engine.view();
     let mut mode = before;
     ui.horizontal_wrapped(|ui| {
@@ -34,6 +35,9 @@ pub fn view(ui: &mut Ui, engine: &mut Engine) -> bool {
         }
     });
     engine.set_view(mode);
+    if let (ViewMode::Debug, Some(range)) = (mode, debug) {
+        debug::legend(ui, range);
+    }
     mode != before
 }
 
