@@ -12,6 +12,7 @@ mod cli;
 mod coat;
 mod compare;
 mod compile;
+mod dark;
 mod daylight;
 mod display;
 mod edits;

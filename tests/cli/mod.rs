@@ -5,6 +5,7 @@ mod no_files;
 mod outputs;
 mod refusals;
 mod render;
+mod shaders;
 #[cfg(unix)]
 mod signals;
 

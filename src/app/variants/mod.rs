@@ -17,7 +17,7 @@ pub mod answers;
 mod arguments;
 mod blank;
 mod board;
-mod code;
+pub mod code;
 pub mod find;
 pub mod flags;
 mod jobs;
