@@ -3,6 +3,8 @@
 #[cfg(unix)]
 mod no_files;
 mod outputs;
+mod progress;
+mod quality;
 mod refusals;
 mod render;
 mod shaders;

@@ -38,6 +38,8 @@ pub struct Opened {
     pub description: SceneDescription,
     /// Every file that was read.
     pub files: Vec<PathBuf>,
+    /// Samples a pixel, where the scene or the command line gives them.
+    pub spp: Option<u32>,
 }
 
 impl SceneFlags {
@@ -55,7 +57,9 @@ impl SceneFlags {
         if let Some(warning) = unseen.filter(|warning| !quiet && !loaded.warnings.contains(warning)) {
             show(&warning);
         }
-        Ok(Opened { path, description, files: loaded.files })
+        let gives_spp = loaded.given.contains("spp") || self.settings.gives("spp");
+        let spp = gives_spp.then_some(description.render.spp);
+        Ok(Opened { path, description, files: loaded.files, spp })
     }
 
     /// The shaders to draw with.

@@ -61,7 +61,7 @@ pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
     }
     let gpu = Gpu::open()?;
     let mut bench = empty(&gpu, arguments);
-    let goal = Goal { samples: Some(samples(&subjects, arguments)), seconds: None };
+    let goal = Goal { samples: Some(samples(&subjects, arguments)), seconds: None, error: None };
     let mut monitor = Monitor { meter: Meter::new("bench", goal, arguments.quiet), interrupt };
     let mut fault = None;
     for subject in subjects {

@@ -50,7 +50,7 @@ impl Family {
                     let layers = shaders.unwrap_or_default();
                     let library = layers.read()?;
                     lock(&listing).choose(&member.name);
-                    let opened = Opened { path: path.to_path_buf(), description, files };
+                    let opened = Opened { path: path.to_path_buf(), description, files, spp: None };
                     let (path, flags) = (path.to_path_buf(), flags.clone());
                     return Ok((Family { path, flags, listing, layers, assets, files: family.files }, opened, library));
                 }
