@@ -13,6 +13,7 @@ mod read;
 pub mod record;
 mod reference;
 pub mod tables;
+pub mod winner;
 
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -211,7 +212,7 @@ fn tell(bench: &Bench, arguments: &LightArguments, earlier: Option<&Bench>) -> R
             }
         }
     }
-    output::print(&if arguments.json { json } else { format!("{table}\n{names}") })?;
+    output::print(&if arguments.json { json } else { format!("{table}\n{names}\n{}", winner::sentences(bench)) })?;
     if let Some(verdict) = verdict.as_ref().filter(|_| arguments.json && !arguments.quiet) {
         output::note(&verdict.markdown());
     }
