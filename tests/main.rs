@@ -15,6 +15,7 @@ mod compile;
 mod dark;
 mod daylight;
 mod display;
+mod docs;
 mod edits;
 mod engine;
 mod environment;
