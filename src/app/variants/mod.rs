@@ -17,7 +17,7 @@ pub mod answers;
 mod arguments;
 mod blank;
 mod board;
-pub mod code;
+pub(crate) mod code;
 pub mod find;
 pub mod flags;
 mod jobs;
