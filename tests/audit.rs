@@ -154,3 +154,18 @@ fn the_command_prints_a_table_or_json() {
     assert_eq!(check(&["check", "none.ron", "--materials"], folder.path()).0, Some(1));
     assert_eq!(check(&["check", "--materials"], folder.path()).0, Some(2));
 }
+
+/// A family has the materials of its members: those of equal ones once.
+#[test]
+fn the_materials_of_a_family_are_those_of_its_members() {
+    let (_, folder) = audited("Kd 0.8 0.8 0.8\nKs 0.7 0.7 0.7\nNs 20", "environment: Constant(1)");
+    let sweep = r#"(extends: "s.ron", sweep: { "materials.a.ns": [8, 64], "film.exposure": [0, 1] })"#;
+    std::fs::write(folder.path().join("v.ron"), sweep).unwrap();
+    let (code, text) = check(&["check", "v.ron", "--materials", "--json"], folder.path());
+    assert_eq!(code, Some(0), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let files = json["files"].as_array().unwrap();
+    assert_eq!((files.len(), files[0]["members"].as_array().unwrap().len()), (2, 2), "{json:#}");
+    let (code, table) = check(&["check", "v.ron", "--materials"], folder.path());
+    assert!(code == Some(0) && table.contains("v.ron: 8_0, 8_1\n") && table.contains("m:a: glossy"), "{table}");
+}

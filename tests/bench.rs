@@ -9,7 +9,8 @@ use lucerna::app::bench::light::plot::{self, Axis};
 use lucerna::app::bench::light::record::{
     Bench, ConfigurationRecord, Machine, ReferenceRecord, Run, SceneRecord, Snapshot,
 };
-use lucerna::app::bench::light::tables;
+use lucerna::app::bench::light::{tables, winner};
+use lucerna::app::shared::spread::spread;
 use lucerna::stats::metrics::relative_mse;
 use lucerna::stats::summary::{Crossing, Summary, Welch, crossing, least_squares, log_log_slope, upper_tail};
 use serde_json::Value;
@@ -204,7 +205,7 @@ fn tables_and_plots_hold_what_was_measured() {
     assert!(csv.lines().all(|line| line.split(',').count() == columns));
     let table = tables::markdown(&bench);
     let slope = bench.scenes[0].configurations[0].slope.unwrap().slope;
-    assert!((slope + 1.25).abs() < 0.05 && table.contains(&format!("{slope:.3} ±")), "{slope}\n{table}");
+    assert!((slope + 1.25).abs() < 0.05 && table.contains(&format!("{slope:.2}")), "{slope}\n{table}");
     for axis in [Axis::Seconds, Axis::Samples] {
         let svg = plot::svg(&bench, &bench.scenes[0], axis).unwrap();
         assert!(svg.contains("none &lt;&amp;&gt;") && !svg.contains("NaN") && !svg.contains("inf"));
@@ -217,6 +218,55 @@ fn tables_and_plots_hold_what_was_measured() {
     let errors = |bench: &Bench| bench.scenes[0].configurations[3].at(64).map(|s| s.relmse).collect::<Vec<_>>();
     assert_eq!(errors(&read).len(), 8);
     errors(&read).iter().zip(errors(&bench)).for_each(|(found, written)| close(*found, written, 1e-15));
+}
+
+/// The one that is planted to be better is said to have won, and by how much; of equal ones, none is.
+#[test]
+fn a_sentence_says_who_won() {
+    let bench = simulated(&mut Dice(6), 0.5);
+    let said = winner::sentences(&bench);
+    let by: f64 = said
+        .split("won, ")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next())
+        .unwrap_or_default()
+        .parse()
+        .unwrap_or_default();
+    assert!(said.starts_with("simulated: path+sobol won, ") && said.contains(" ± "), "{said}");
+    // 0.2 / (0.5 x 0.25).
+    assert!((1.5..1.7).contains(&by) && said.ends_with("as efficient as path+sobol+roulette, the next.\n"), "{said}");
+    let equal = winner::sentences(&simulated(&mut Dice(7), 0.8));
+    assert!(equal.contains("can't be told apart"), "{equal}");
+    assert!(tables::markdown(&bench).contains(&said), "the table's file has it too");
+}
+
+#[test]
+fn a_value_and_its_spread_have_as_many_places() {
+    for (value, error, written) in [
+        (1.3137, 0.0512, "1.314 ± 0.051"),
+        (0.00469, 0.000041, "0.004690 ± 0.000041"),
+        (4.69e-6, 4.1e-8, "(4.690 ± 0.041)e-6"),
+        (123_456_789.0, 1_234_567.0, "(1.235 ± 0.012)e8"),
+        (12.0, 340.0, "12 ± 340"),
+        (2.5, 0.0, "2.50"),
+        (0.0, 0.0, "0"),
+    ] {
+        assert_eq!(spread(value, error), written);
+    }
+}
+
+/// Programs that know no clipping draw nothing of what is clipped: all lies within the frame by itself.
+#[test]
+fn plots_need_no_clipping() {
+    let bench = simulated(&mut Dice(8), 1.0);
+    let svg = plot::svg(&bench, &bench.scenes[0], Axis::Seconds).unwrap();
+    assert!(!svg.contains("clip"), "{svg}");
+    let guides = svg.split("stroke-dasharray=\"1 3\">").nth(1).and_then(|rest| rest.split("</g>").next()).unwrap();
+    let ends: Vec<f64> = guides.split(['M', 'L', ' ', '"']).filter_map(|word| word.parse().ok()).collect();
+    assert!(ends.len() >= 8, "{guides}");
+    for end in ends.chunks_exact(2) {
+        assert!((57.9..428.1).contains(&end[0]) && (43.9..284.1).contains(&end[1]), "{end:?}");
+    }
 }
 
 fn lucerna(folder: &Path, arguments: &[&str]) -> Output {

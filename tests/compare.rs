@@ -212,6 +212,71 @@ fn renders_compare_with_their_own_parts() {
     assert!(refused(1, &folder, &["other.exr", "part.exr"]).contains("10,8"));
 }
 
+/// What is said in a sentence of two pictures with independent noise.
+#[test]
+fn a_sentence_says_whether_they_differ() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut dice = crate::support::dice::Dice(11);
+    let mut noisy = |mean: f64| -> Vec<[f32; 3]> {
+        (0..64 * 64).map(|_| std::array::from_fn(|_| (mean * (1.0 + 0.1 * dice.normal())) as f32)).collect()
+    };
+    let (a, b, mut c) = (noisy(0.5), noisy(0.5), noisy(0.5));
+    (0..16).for_each(|y| (0..16).for_each(|x| c[y * 64 + x] = c[y * 64 + x].map(|value| 1.2 * value)));
+    for (name, pixels) in [("a.exr", &a), ("b.exr", &b), ("c.exr", &c), ("d.exr", &noisy(0.55))] {
+        write_rgb(&folder, name, 64, pixels);
+    }
+    write_rgb(&folder, "few.exr", 2, &a[..4]);
+    write_rgb(&folder, "few too.exr", 2, &b[..4]);
+    let said = |a: &str, b: &str| {
+        let (code, out, err) = lucerna(folder.path(), &["compare", a, b]);
+        assert_eq!(code, 0, "{err}");
+        let said = out.lines().next().unwrap().to_owned();
+        assert_eq!(compared(0, &folder, &[a, b])["verdict"].as_str(), Some(&*said));
+        said
+    };
+    assert_eq!(said("a.exr", "a.exr"), "equal: every pixel is the same in both");
+    assert!(said("b.exr", "a.exr").starts_with("no difference beyond noise: A is "));
+    let part = said("c.exr", "a.exr");
+    assert!(part.starts_with("they differ beyond noise in 4 of 64 blocks, by up to +"), "{part}");
+    let whole = said("d.exr", "a.exr");
+    assert!(whole.starts_with("they differ beyond noise") && whole.contains("A is +"), "{whole}");
+    assert!(said("few.exr", "few too.exr").starts_with("can't tell a difference from noise"));
+}
+
+/// FLIP and PSNR are of the pictures as they were shown.
+#[test]
+fn the_exposure_is_that_of_the_files() {
+    let folder = tempfile::tempdir().unwrap();
+    render(&folder, &["--size", "32x24", "-o", "a.exr"]);
+    render(&folder, &["--size", "32x24", "--seed", "1", "-o", "plain.exr"]);
+    let render = |name: &str, stops: &str| {
+        let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes/cornell-box.ron");
+        let flags = ["--quiet", "--spp", "2", "--size", "32x24", "--seed", "1", "--exposure", stops, "-o", name];
+        assert_eq!(lucerna(folder.path(), &[&["render", scene], &flags[..]].concat()).0, 0);
+    };
+    render("bright.exr", "2.5");
+    let found = compared(0, &folder, &["bright.exr", "bright.exr"]);
+    assert_eq!(found["exposure"], 2.5);
+    // B's counts, and that they differ is told.
+    let (_, out, err) = lucerna(folder.path(), &["compare", "a.exr", "bright.exr", "--json"]);
+    let found: Value = serde_json::from_str(&out).unwrap();
+    assert!(found["exposure"] == 2.5 && err.contains("a.exr was rendered at exposure 0, bright.exr at 2.5"), "{err}");
+    let given = compared(0, &folder, &["a.exr", "plain.exr", "--exposure", "2.5"]);
+    assert_eq!((&given["psnr"], &given["flip"]), (&found["psnr"], &found["flip"]));
+    // What says nothing of it is shown as it is.
+    write_rgb(&folder, "other.exr", 1, &[[0.5; 3]]);
+    assert_eq!(compared(0, &folder, &["other.exr", "other.exr"])["exposure"], 0.0);
+}
+
+/// A heat map that can't be written doesn't take the figures along.
+#[test]
+fn figures_are_told_where_no_heat_map_can_be_written() {
+    let folder = tempfile::tempdir().unwrap();
+    write_rgb(&folder, "a.exr", 2, &[[0.5; 3]; 4]);
+    let (code, out, err) = lucerna(folder.path(), &["compare", "a.exr", "a.exr", "-o", "a.exr/heat.png"]);
+    assert!(code == 1 && out.contains("relMSE") && err.matches("error:").count() == 1, "{out}{err}");
+}
+
 #[test]
 fn heat_maps_show_where() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,18 +1,18 @@
-//! The table of material keys: README.md has it, and every reader knows all of it.
+//! The table of material keys: docs/materials.md has it, and every reader knows all of it.
 
 use std::collections::BTreeSet;
 
 use lucerna::scene::{Define, KEYS, Value, load};
 
-/// The lines of README.md's table of keys, down to the first that is of MTL files alone.
+/// The lines of docs/materials.md's table of keys, down to the first that is of MTL files alone.
 fn table() -> Vec<String> {
-    let readme = std::fs::read_to_string("README.md").expect("README.md");
-    let lines = readme.lines().skip_while(|line| !line.starts_with("| statement | in a scene file |")).skip(2);
+    let page = std::fs::read_to_string("docs/materials.md").expect("docs/materials.md");
+    let lines = page.lines().skip_while(|line| !line.starts_with("| statement | in a scene file |")).skip(2);
     lines.take_while(|line| !line.starts_with("| `Le` |")).map(str::to_owned).collect()
 }
 
 #[test]
-fn the_readme_has_the_table_of_keys() {
+fn the_page_on_materials_has_the_table_of_keys() {
     let rows: Vec<String> = KEYS.iter().map(|key| key.row()).collect();
     assert_eq!(table().join("\n"), rows.join("\n"));
 }

@@ -109,6 +109,7 @@ fn modules_know_only_what_is_below_them() {
                 "layout",
                 "oracle",
                 "passes",
+                "prepare",
                 "scene",
                 "shader",
                 "stats",

@@ -20,7 +20,10 @@ fn load_scene(materials: &str, defines: &[(&str, &str)]) -> Result<Loaded, Diagn
         "models/m.obj",
         "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 2/1 3/1\n",
     );
-    write("s.ron", &format!("(models: [(path: \"models/m.obj\")], materials: {{\n{materials}\n}})"));
+    write(
+        "s.ron",
+        &format!("(environment: Constant(1), models: [(path: \"models/m.obj\")], materials: {{\n{materials}\n}})"),
+    );
     let defines: Vec<_> = defines.iter().map(|(path, value)| Define::given(*path, *value)).collect();
     load(&folder.path().join("s.ron"), &defines)
 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::shared::interrupt::Interrupt;
-use super::shared::values::EXIT_CODES;
+use super::shared::values::MORE;
 use super::variants::flags::FamilyFlags;
 use super::variants::produce::{Request, produce};
 use super::variants::wanted::Wanted;
@@ -15,7 +15,7 @@ use crate::scene::variants::{Family, frames};
 use crate::scene::{self, Assets, Define, Diagnostic, Severity};
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+#[command(after_help = MORE, allow_negative_numbers = true)]
 pub struct AnimateArguments {
     /// A scene file (.ron) with `animate`, or the name of one in assets/scenes
     pub scene: String,

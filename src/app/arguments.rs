@@ -6,18 +6,24 @@ use super::animate::AnimateArguments;
 use super::bench::BenchArguments;
 use super::check::CheckArguments;
 use super::compare::CompareArguments;
+use super::help::HelpArguments;
 use super::judge::JudgeArguments;
+use super::new::NewArguments;
 use super::render::RenderArguments;
 use super::schema::SchemaArguments;
-use super::shared::values::EXIT_CODES;
+use super::shared::values::MORE;
 use super::variants::VariantsArguments;
 use super::watch::WatchArguments;
 use super::window::ViewArguments;
 
 /// A GPU path tracer.
 #[derive(Debug, Parser)]
-#[command(name = "lucerna", version, after_help = EXIT_CODES)]
+#[command(name = "lucerna", version, after_help = MORE, disable_help_flag = true, disable_help_subcommand = true)]
 pub struct Arguments {
+    /// Print help
+    // The short one, a line a flag: `lucerna help COMMAND` has the long one.
+    #[arg(short, long, global = true, action = clap::ArgAction::HelpShort)]
+    help: Option<bool>,
     /// Without one, a window on the scene cornell-box, where there is a display
     #[command(subcommand)]
     pub command: Option<Command>,
@@ -29,6 +35,8 @@ pub enum Command {
     View(ViewArguments),
     /// Render a scene to PNG, EXR and a report
     Render(RenderArguments),
+    /// Write a scene file for a model, framed and lit, ready to edit
+    New(NewArguments),
     /// Render while shaders and scene files are edited, and tell what came of every save
     Watch(WatchArguments),
     /// Render a family of scenes that a file describes, doing only what differs again
@@ -43,6 +51,8 @@ pub enum Command {
     Schema(SchemaArguments),
     /// Say what there is to draw with, and what is missing
     Doctor,
+    /// Print what a command takes, or a topic: exit-codes, paths (of -D), keys (of the window)
+    Help(HelpArguments),
     /// Measure how the error of scenes falls with samples and time, or time single stages of the engine
     Bench(Box<BenchArguments>),
     /// Tell whether an edit of the shaders made the estimator better, worse or wrong

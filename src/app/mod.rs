@@ -8,7 +8,9 @@ pub mod bench;
 mod check;
 mod compare;
 mod doctor;
+pub mod help;
 pub mod judge;
+mod new;
 mod render;
 mod schema;
 pub mod shared;
@@ -41,7 +43,7 @@ pub fn main() -> ExitCode {
         Some(command) => command,
         None if window::has_display() => Command::View(ViewArguments::default()),
         None => {
-            let _ = std::io::Write::write_all(&mut std::io::stderr(), help().as_bytes());
+            let _ = std::io::Write::write_all(&mut std::io::stderr(), short_help().as_bytes());
             return ExitCode::from(Exit::Usage);
         }
     };
@@ -51,9 +53,11 @@ pub fn main() -> ExitCode {
         Command::Watch(watch) => watch::run(&watch),
         Command::Variants(family) => variants::run(&family),
         Command::Animate(animation) => animate::run(&animation),
+        Command::New(new) => new::run(&new),
         Command::Compare(comparison) => compare::run(&comparison),
         Command::Check(check) => check::run(&check),
         Command::Schema(schema) => schema::run(&schema),
+        Command::Help(about) => help::run(&about, Arguments::command()),
         Command::Doctor => doctor::run(),
         Command::Bench(bench) => bench.run(),
         Command::Judge(judge) => judge::run(&judge),
@@ -68,6 +72,6 @@ pub fn main() -> ExitCode {
 }
 
 /// What `--help` prints.
-fn help() -> String {
+fn short_help() -> String {
     Arguments::command().render_help().to_string()
 }

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use crate::app::shared::output;
-use crate::app::shared::values::EXIT_CODES;
+use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
 use crate::scene::schema;
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES)]
+#[command(after_help = MORE)]
 pub struct SchemaArguments {
     /// Of which files
     #[arg(value_enum, default_value_t = Files::Scene)]

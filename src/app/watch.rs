@@ -13,14 +13,14 @@ use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::output;
 use crate::app::shared::scene::SceneFlags;
 use crate::app::shared::textures::TextureNotices;
-use crate::app::shared::values::EXIT_CODES;
+use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
 use crate::engine::{Engine, EngineError, Progress};
 use crate::gpu::{Gpu, GpuError};
 use crate::watch::{Problem, ReloadEvent, Restarts};
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+#[command(after_help = MORE, allow_negative_numbers = true)]
 pub struct WatchArguments {
     /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
     pub scene: String,

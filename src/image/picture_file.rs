@@ -96,6 +96,14 @@ impl PictureFile {
         self.read(Crop { min: UVec2::ZERO, max: self.size })
     }
 
+    /// The exposure, stops, that it is to be shown at, where it says so: a PNG is shown as it is.
+    pub fn exposure(&self) -> Option<f32> {
+        match &self.kind {
+            Kind::Exr(file) => file.exposure(),
+            Kind::Hdr(_) | Kind::Png => None,
+        }
+    }
+
     /// Whether pixels have an alpha that is read.
     pub fn has_alpha(&self) -> bool {
         match &self.kind {

@@ -10,6 +10,7 @@ use exr::meta::attribute::{AttributeValue, IntegerBounds, Text};
 use exr::meta::header::LayerAttributes;
 use glam::UVec2;
 
+use super::exr::METADATA;
 use super::file::{self, SaveError};
 use crate::components::Crop;
 
@@ -131,7 +132,7 @@ fn write_exr(picture: &Picture, out: &mut (impl Write + Seek)) -> std::io::Resul
     let metadata: serde_json::Map<_, _> =
         picture.metadata.iter().map(|(key, value)| ((*key).to_owned(), value.as_str().into())).collect();
     let text = serde_json::Value::Object(metadata).to_string();
-    attributes.other.insert(Text::from("lucerna"), AttributeValue::Text(Text::from_slice_unchecked(text.as_bytes())));
+    attributes.other.insert(Text::from(METADATA), AttributeValue::Text(Text::from_slice_unchecked(text.as_bytes())));
     let channels = SpecificChannels::rgb(pixel);
     let layer = Layer::new((width, size.y as usize), attributes, Encoding::SMALL_LOSSLESS, channels);
     let mut image = Image::from_layer(layer);

@@ -3,23 +3,28 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use super::assets::Assets;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
 use super::kind::Kind;
 use super::load::{Loaded, Origin, attempt, bare};
 use super::mtl::{Account, Appearance, MtlMaterial, Verdict, read_accounts};
+use super::textures::Loading;
+use super::variants::{is_family, load, plan};
 use crate::components::{DiffuseMap, Energy, Render};
 
 /// The materials of one scene, model or library.
 #[derive(Clone, Debug, Default)]
 pub struct Audit {
     pub file: PathBuf,
+    /// Of a family, whose file it is then: the members that have these materials.
+    pub members: Vec<String>,
     pub diagnostics: Diagnostics,
     /// By their names; of a scene, `model:material`.
     pub materials: Vec<Audited>,
 }
 
 /// A material, and what becomes of what files say of it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Audited {
     pub name: String,
     pub look: Appearance,
@@ -33,6 +38,37 @@ pub struct Audited {
     pub statements: Vec<Verdict>,
     /// Fields that the scene file gives, and where.
     pub edits: Vec<(String, Diagnostic)>,
+}
+
+/// Reads a scene, a model or a library as it would be rendered; of a family, all members, those of equal materials as one.
+pub fn audits(path: &Path) -> Vec<Audit> {
+    let assets = Assets::new();
+    if !is_family(path, &assets) {
+        return vec![audit(path)];
+    }
+    let empty = Audit { file: path.to_path_buf(), ..Audit::default() };
+    let family = match plan(path, &[], &assets) {
+        Ok(family) => family,
+        Err(errors) => return vec![Audit { diagnostics: errors, ..empty }],
+    };
+    let mut audits: Vec<Audit> = Vec::new();
+    for member in &family.members {
+        let mut found = Audit { members: vec![member.name.clone()], ..empty.clone() };
+        match load(&family, member, &Loading::default(), &assets).0 {
+            Ok(loaded) => found.take_scene(loaded),
+            Err(errors) => found.diagnostics = errors,
+        }
+        let known = audits.iter().flat_map(|audit| &audit.diagnostics.list).cloned().collect::<Vec<_>>();
+        found.diagnostics.list.retain(|message| !known.contains(message));
+        match audits.iter_mut().find(|audit| audit.materials == found.materials) {
+            Some(audit) => {
+                audit.members.append(&mut found.members);
+                audit.diagnostics.list.append(&mut found.diagnostics.list);
+            }
+            None => audits.push(found),
+        }
+    }
+    audits
 }
 
 /// Reads a scene, a model or a library as it would be rendered.

@@ -161,16 +161,16 @@ impl Found {
         sound
     }
 
-    /// Reads the frames of a scene, where it has some, up to the first that is wrong: others are so by the same keys.
+    /// Reads the frames of a scene, where it has some, up to the first that is wrong: others are so by the same keys. Those of keys come
+    /// first: what is wrong with one is told as it is written.
     fn check_frames(&mut self, scene: &Path, assets: &Assets) {
         match frames(scene, &[], assets) {
             Ok(None) => {}
             Ok(Some(family)) => {
-                for member in &family.members {
-                    if !self.check_member(&family, member, assets) {
-                        break;
-                    }
-                }
+                let mut order: Vec<usize> = (0..family.members.len()).collect();
+                order.sort_by_key(|frame| !family.keyed.contains(frame));
+                // All of them as long as there is nothing wrong.
+                let _ = order.into_iter().all(|frame| self.check_member(&family, &family.members[frame], assets));
             }
             Err(errors) => self.diagnostics.list.extend(errors.list),
         }

@@ -17,7 +17,7 @@ pub struct Define {
 pub enum Written {
     /// By `-D`.
     CommandLine,
-    /// In a file: warnings without a message, of the places of the path and of the value.
+    /// In a file: warnings of the places of the path and of the value, whose messages are empty, or say which of several values it is.
     File { path: Box<Diagnostic>, value: Box<Diagnostic> },
 }
 

@@ -1,7 +1,7 @@
 //! The one table of a material's keys: what MTL files, scene files, defines and the window's panel call a number, its range, and
-//! where it is. README.md has the same table, by [`Key::row`].
+//! where it is. docs/materials.md has the same table, by [`Key::row`].
 //!
-//! A new key is a row here, a field of the material, and its line in README.md.
+//! A new key is a row here, a field of the material, and its line in docs/materials.md.
 
 use std::ops::RangeInclusive;
 
@@ -19,7 +19,7 @@ pub struct Key {
     /// Field in a scene file, and last part of a define.
     pub scene: &'static str,
     pub value: Value,
-    /// What it says, as README.md has it.
+    /// What it says, as docs/materials.md has it.
     pub doc: &'static str,
 }
 
@@ -150,7 +150,7 @@ pub static KEYS: &[Key] = &[
         mtl: Some("map_Kd"),
         scene: "map_kd",
         value: Value::Map(MapUse::Colour, |m| &mut m.maps.kd),
-        doc: "texture that `Kd` is multiplied by, or that stands for it (`texture`, below)",
+        doc: "texture that `Kd` is multiplied by, or that stands for it (`texture` of scene files)",
     },
     Key {
         mtl: Some("map_Ks"),
@@ -230,7 +230,7 @@ impl Key {
         }
     }
 
-    /// Its line in README.md.
+    /// Its line in docs/materials.md.
     pub fn row(&self) -> String {
         let mtl = self.mtl.map_or(String::new(), |mtl| format!("`{mtl}`"));
         format!("| {mtl} | `{}` | {} | {} |", self.scene, self.value.describe(), self.doc)

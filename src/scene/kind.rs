@@ -63,7 +63,7 @@ impl Kind {
         }
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("wgsl")) {
             return Err(Diagnostic::file(Severity::Error, path, "this is a shader, not an asset")
-                .help("`lucerna check` without a file checks all of ./shaders, or those that were built in"));
+                .help("`lucerna check` of its folder checks all shaders there"));
         }
         let mut start = Vec::new();
         let file = text::open(path, u64::MAX)?;

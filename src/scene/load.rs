@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::assets::Assets;
+use super::dark::{dark, is_lit};
 use super::define::Define;
 use super::description::{MeshEntry, SceneDescription};
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
@@ -23,7 +24,7 @@ use super::suggest::{did_you_mean, known_names};
 use super::text::missing;
 use super::textures::{self, Loading};
 use super::unseen::{Beyond, beyond, unseen_by, unseen_model};
-use crate::components::{Environment, PointLight, ShaderValues, Texture, Transform};
+use crate::components::{Environment, ShaderValues, Texture, Transform};
 
 /// What loading gives.
 #[derive(Clone, Debug)]
@@ -35,6 +36,8 @@ pub struct Loaded {
     pub files: Vec<PathBuf>,
     /// Pictures that are cut short: if one was saved just now, its rest may follow.
     pub unfinished: Vec<PathBuf>,
+    /// The fields of settings that the scene or a define gives.
+    pub given: BTreeSet<&'static str>,
     /// Of each material of the description, where it comes from.
     pub origins: BTreeMap<String, Origin>,
     /// Where shaders' parameters are set, by their names.
@@ -85,13 +88,14 @@ pub fn attempt_in(
         unfinished: Vec::new(),
         origins: BTreeMap::new(),
         shader_places: BTreeMap::new(),
+        given: BTreeSet::new(),
     };
     let description = loader.load(scene, defines, animated, loading);
     let files = loader.files.clone();
     let loaded = match description {
         Some(description) if !loader.diagnostics.has_errors() => {
-            let Loader { diagnostics, files, unfinished, origins, shader_places, .. } = loader;
-            Ok(Loaded { description, warnings: diagnostics.list, files, unfinished, origins, shader_places })
+            let Loader { diagnostics, files, unfinished, given, origins, shader_places, .. } = loader;
+            Ok(Loaded { description, warnings: diagnostics.list, files, unfinished, given, origins, shader_places })
         }
         _ => Err(loader.diagnostics),
     };
@@ -110,6 +114,7 @@ struct Loader<'s> {
     unfinished: Vec<PathBuf>,
     origins: BTreeMap<String, Origin>,
     shader_places: BTreeMap<String, ShaderPlace>,
+    given: BTreeSet<&'static str>,
 }
 
 impl Loader<'_> {
@@ -122,6 +127,7 @@ impl Loader<'_> {
     ) -> Option<SceneDescription> {
         let Self { assets, files, diagnostics, .. } = self;
         let mut file = Reading { assets, files, diagnostics, animated }.scene(scene, defines)?;
+        self.given = std::mem::take(&mut file.given);
         let mut meshes = BTreeMap::new();
         let mut materials = BTreeMap::new();
         let placed = place(&file.models, &mut self.diagnostics);
@@ -146,7 +152,7 @@ impl Loader<'_> {
         for material in materials.values_mut() {
             material.settle(|map, used| textures.contains_key(&textures::name(map, used)));
         }
-        let lit = file.dark_if_lit && (is_lit(&meshes, &materials, &file.lights));
+        let lit = file.dark_if_lit && is_lit(&meshes, &materials, &file.lights);
         let environment = environment.filter(|_| !lit);
         let values = file.shader.iter().map(|(name, entry)| (name.clone(), entry.0)).collect();
         self.shader_places.extend(file.shader.into_iter().map(|(name, entry)| (name, entry.1)));
@@ -164,6 +170,8 @@ impl Loader<'_> {
             environment,
         };
         self.warn_of_unseen(&description, models.iter().zip(&file.models), scene);
+        let sound = !self.diagnostics.has_errors();
+        self.diagnostics.list.extend(dark(&description, scene).filter(|_| sound));
         Some(description)
     }
 
@@ -349,17 +357,6 @@ impl Loader<'_> {
 /// The material's own name within a key `model:material`.
 pub fn bare(key: &str) -> &str {
     key.split_once(':').map_or(key, |(_, name)| name)
-}
-
-/// Whether something sends out light.
-fn is_lit(
-    meshes: &BTreeMap<String, MeshEntry>,
-    materials: &BTreeMap<String, MtlMaterial>,
-    lights: &BTreeMap<String, PointLight>,
-) -> bool {
-    let mut used = meshes.values().filter_map(|mesh| materials.get(&mesh.material));
-    used.any(|material| material.ke.max_element() > 0.0)
-        || lights.values().any(|light| light.intensity.max_element() > 0.0)
 }
 
 /// All changes of materials, those that count over others behind them: what the scene says of a name, what a model says of its own, and

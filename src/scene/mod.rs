@@ -11,6 +11,7 @@ mod assets;
 mod audit;
 mod bounds;
 mod check;
+mod dark;
 mod define;
 mod describe;
 mod description;
@@ -46,7 +47,7 @@ pub mod variants;
 
 pub use apply::{apply, apply_changes};
 pub use assets::Assets;
-pub use audit::{Audit, Audited, audit};
+pub use audit::{Audit, Audited, audit, audits};
 pub use check::{Checked, Row, Table, check};
 pub use define::{Define, Written};
 pub use describe::describe;

@@ -30,7 +30,7 @@ impl Text {
         Self { file: file.to_path_buf(), text, home: None }
     }
 
-    /// `path=value`, of which messages point to where path and value are written: at places, without their messages.
+    /// `path=value`, of which messages point to where path and value are written: at places, whose own messages come before.
     pub fn change(path: &str, value: &str, place_of_path: &Diagnostic, place_of_value: &Diagnostic) -> Self {
         let home = Home { split: path.len(), path: place_of_path.clone(), value: place_of_value.clone() };
         let file = place_of_path.file.clone();
@@ -67,7 +67,7 @@ impl Text {
     pub fn at(&self, severity: Severity, part: &str, message: impl Into<String>) -> Diagnostic {
         let offset = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize).min(self.text.len());
         if let Some(home) = &self.home {
-            return Diagnostic { severity, message: message.into(), ..home.place(&self.text, offset) };
+            return home.error(severity, &message.into(), &self.text, offset);
         }
         let before = &self.text[..self.text.floor_char_boundary(offset)];
         let start = before.rfind('\n').map_or(0, |at| at + 1);
@@ -82,8 +82,7 @@ impl Text {
         if let Some(home) = &self.home {
             let start = text.as_ptr() as usize - self.text.as_ptr() as usize;
             let offset = text.char_indices().nth(column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
-            let place = home.place(&self.text, start + offset);
-            return Diagnostic { severity: Severity::Error, message: message.into(), ..place };
+            return home.error(Severity::Error, &message.into(), &self.text, start + offset);
         }
         let text = text.strip_suffix('\r').unwrap_or(text);
         let offset = text.char_indices().nth(column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
@@ -92,6 +91,14 @@ impl Text {
 }
 
 impl Home {
+    /// A message about byte `offset` of a change's `text`.
+    fn error(&self, severity: Severity, message: &str, text: &str, offset: usize) -> Diagnostic {
+        let place = self.place(text, offset);
+        let message =
+            if place.message.is_empty() { message.to_owned() } else { format!("{}: {message}", place.message) };
+        Diagnostic { severity, message, ..place }
+    }
+
     /// Where byte `offset` of a change's `text` is written: the character itself, if the file has the line as it is here; else
     /// where the path or the value begins.
     fn place(&self, text: &str, offset: usize) -> Diagnostic {

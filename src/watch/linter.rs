@@ -69,7 +69,7 @@ impl Linter {
                 let _ = last.join();
             }
             let wanted = || current.load(Ordering::Relaxed) == serial;
-            if let Some(told) = judge(&gpu, [&judged, &library], &values, &materials, wanted)
+            if let Some(told) = lint_edit(&gpu, [&judged, &library], &values, &materials, wanted)
                 && sender.send(Verdict { serial, library, told }).is_ok()
             {
                 wake();
@@ -101,8 +101,11 @@ impl Drop for Linter {
     }
 }
 
-/// None where nothing can be said: the code does not link, does not run, or nobody wants to know any more.
-fn judge(
+/// Asks the surfaces of a library whether sampling and evaluation agree: what it found, and how long it took.
+///
+/// `None` where nothing can be said: the code does not link, does not run, or nobody wants to know any more. `Some(None)` where it is the
+/// code of `judged`, which is known already.
+pub fn lint_edit(
     gpu: &Arc<Gpu>,
     [judged, library]: [&Library; 2],
     values: &Values,

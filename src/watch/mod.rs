@@ -23,7 +23,7 @@ use std::thread::JoinHandle;
 
 pub use assets::{Adjust, Attempt, Read, WatchedScene};
 pub use event::{Problem, ReloadEvent, Restarts};
-pub use linter::{Linter, Wake};
+pub use linter::{Linter, Wake, lint_edit};
 pub use message::{News, Outcome};
 pub use watcher::WatchError;
 

@@ -1,4 +1,4 @@
-//! The example of README.md, and what is shipped.
+//! The example of docs/animations.md, and what is shipped.
 
 use std::path::{Path, PathBuf};
 
@@ -7,10 +7,10 @@ use lucerna::scene::variants::{frames, load};
 
 use super::{MTL, OBJ, answer, done};
 
-/// The block of README.md that has an animation.
+/// The block of docs/animations.md that has an animation.
 fn example() -> String {
-    let readme = std::fs::read_to_string("README.md").unwrap();
-    let blocks = readme.split("```ron\n").skip(1).filter_map(|rest| rest.split("```").next());
+    let page = std::fs::read_to_string("docs/animations.md").unwrap();
+    let blocks = page.split("```ron\n").skip(1).filter_map(|rest| rest.split("```").next());
     blocks.map(str::to_owned).find(|block| block.contains("animate: (")).expect("an example")
 }
 

@@ -80,18 +80,26 @@ fn what_is_wrong_is_told_where_it_stands() {
             keys("\"cameras.front.positon\": { 0: (0, 0, 1) }"),
             "a.ron:4:50: error: unknown field `cameras.front.positon`\n    help: did you mean `position`?",
         ),
-        (keys("\"cameras.frnt.position\": { 0: (0, 0, 1) }"), "cameras.frnt: the field `look_at` is missing"),
+        (
+            keys("\"cameras.frnt.position\": { 0: (0, 0, 1) }"),
+            "there is no `cameras.frnt` to change\n    help: did you mean `front`?",
+        ),
         (keys("\"materials.gray.kd\": { 0: 1 }"), "did you mean `grey`?"),
         (keys("\"models.1.transform.scale\": { 0: 1 }"), "`1` is none of the items 0 to 0"),
         (
             keys("\"cameras.front.fov_y\": { 0: 60, 9: 400 }"),
-            "a.ron:4:63: error: cameras.front.fov_y: expected a number from 0.001 to 179",
+            // Where the wrong key is, and as it is written.
+            "a.ron:4:70: error: cameras.front.fov_y: expected a number from 0.001 to 179, found `400`",
         ),
         (
             keys("\"cameras.front.position\": { 0: (0, 0, 2), 10: (0, 0, -2) }"),
             "`position` and `look_at` are the same point",
         ),
-        (keys("\"render.spp\": { 0: 1, 10: 2 }"), "expected a whole number"),
+        // What no key has is told by its frame.
+        (
+            keys("\"render.spp\": { 0: 1, 10: 2 }"),
+            "a.ron:4:54: error: at frame 1, between two keys: render.spp: expected a whole number",
+        ),
     ] {
         let found = told(&animate);
         // Each mistake once.

@@ -1,10 +1,15 @@
 //! The command line, by running it: exit codes, one message a mistake, and files that are whole.
 
+mod help;
+mod new;
 #[cfg(unix)]
 mod no_files;
 mod outputs;
+mod progress;
+mod quality;
 mod refusals;
 mod render;
+mod shaders;
 #[cfg(unix)]
 mod signals;
 
@@ -78,12 +83,12 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 #[test]
-fn help_says_what_there_is_and_exit_codes() {
+fn help_says_what_there_is() {
     for (arguments, code) in [(&["--help"][..], 0), (&["--version"], 0), (&["render", "--help"], 0), (&[], 2)] {
         assert_eq!(lucerna(Path::new("."), arguments).status.code(), Some(code), "{arguments:?}");
     }
     let help = String::from_utf8(lucerna(Path::new("."), &["--help"]).stdout).unwrap();
-    for word in ["view", "render", "check", "doctor", "bench", "judge", "watch", "Exit codes", "130"] {
+    for word in ["view", "render", "new", "check", "doctor", "bench", "judge", "watch", "help exit-codes"] {
         assert!(help.contains(word), "--help lacks {word}");
     }
 }

@@ -46,6 +46,17 @@ fn defines_change_them() {
     assert_eq!(Vec::from_iter(without.description.lights.keys()), ["lamp", "plain"]);
 }
 
+#[test]
+fn a_near_miss_of_a_name_says_what_was_meant() {
+    let errors = load_text(SCENE, &[("lights.bulbb.intensity", "8")]).expect_err("no such light");
+    let shown = errors.to_string();
+    assert!(
+        shown.contains("-D:1:8: error: there is no `lights.bulbb` to change") && shown.contains("did you mean `bulb`?"),
+        "{shown}"
+    );
+    assert_eq!(errors.list.len(), 1, "{shown}");
+}
+
 /// A light, the column of what is wrong with it in the second line, and a part of what is said.
 const WRONG: [(&str, u32, &str); 13] = [
     ("Point(position: (0, 0, 0))", 15, "the field `intensity` is missing"),

@@ -17,7 +17,7 @@ fn defines_change_fields_by_path() {
         ("render.spp", "16"),
         ("render.energy", "Preserve"),
         ("environment", "Constant(0)"),
-        ("models.0.transform.scale", "(1, 1, 1)"),
+        ("models[0].transform.scale", "(1, 1, 1)"),
         ("cameras.top.fov_y", "10"),
         ("film.crop", "None"),
     ];
@@ -43,6 +43,11 @@ fn wrong_defines_are_named() {
         ("camera.x", "1", 8, "in the define `camera.x`: there is no field `x`"),
         ("models.7.path", "1", 8, "none of the items 0 to 0"),
         ("film.size", "(1, ", 15, "in the define `film.size`"),
+        ("models[7].path", "1", 8, "none of the items 0 to 0"),
+        ("models[x].path", "1", 8, "expected a number in brackets"),
+        ("models[0]path", "1", 10, "expected `.`"),
+        ("models[0", "1", 7, "expected `.`"),
+        ("cameras.tpo.fov_y", "20", 9, "there is no `cameras.tpo` to change\n    help: did you mean `top`?"),
         ("", "1", 1, "is no field path"),
         ("film..size", "1", 6, "is no field path"),
     ];
@@ -56,7 +61,16 @@ fn wrong_defines_are_named() {
 
 #[test]
 fn a_define_of_endless_parts_is_an_error() {
-    let path = ["a"; 100_000].join(".");
-    let errors = load_text("()", &[(&path, "1")]).unwrap_err();
-    assert!(errors.to_string().contains("levels deep"), "another error");
+    for path in [["a"; 100_000].join("."), "a".to_owned() + &"[0]".repeat(100_000)] {
+        let errors = load_text("()", &[(&path, "1")]).unwrap_err();
+        assert!(errors.to_string().contains("levels deep"), "another error");
+    }
+}
+
+/// By its parts, a camera may also be made.
+#[test]
+fn a_camera_of_a_name_like_another_may_be_made_by_its_parts() {
+    let parts = [("cameras.topp.position", "(0, 9, 0)"), ("cameras.topp.look_at", "(1, 0, 0)")];
+    let scene = load_text(SCENE, &parts).unwrap_or_else(|errors| panic!("{errors}")).description;
+    assert_eq!(scene.cameras["topp"].position.y, 9.0);
 }

@@ -8,7 +8,7 @@ use super::{SCENE, description, load_text};
 
 #[test]
 fn materials_that_are_not_rendered_as_asked_are_warned_of() {
-    let text = "(models: [(path: \"square.obj\")], materials: { \"red\": (d: 0.5, tf: (1, 1, 0.5), illum: 10) })";
+    let text = "(models: [(path: \"square.obj\")], materials: { \"red\": (d: 0.5, tf: (1, 1, 0.5), illum: 10) }, environment: Constant(1))";
     let loaded = load_text(text, &[]).unwrap_or_else(|errors| panic!("{errors}"));
     let places: Vec<u32> = loaded.warnings.iter().map(|warning| warning.column).collect();
     assert_eq!(places, [87], "{:?}", loaded.warnings);
@@ -18,7 +18,7 @@ fn materials_that_are_not_rendered_as_asked_are_warned_of() {
 #[test]
 fn every_number_of_a_material_can_be_changed() {
     let text = "(models: [(path: \"square.obj\")], materials: { \"red\": (pr: 0.25, pm: 0.5, d: 0.75, ni: 1.5, tf: 0.5, \
-                illum: 7) })";
+                illum: 7) }, environment: Constant(1))";
     let loaded = load_text(text, &[]).unwrap_or_else(|errors| panic!("{errors}"));
     let red = &loaded.description.materials["square:red"];
     assert_eq!((red.pr, red.pm, red.d, red.ni, red.illum), (Some(0.25), 0.5, 0.75, 1.5, 7));

@@ -152,3 +152,13 @@ fn a_folder_of_shaders_that_is_missing_marks_its_member() {
     let shown = wrong.1.as_ref().unwrap()[0].to_string();
     assert!(shown.contains("v.ron:1:47") && shown.contains("shaders: there is no folder"), "{shown}");
 }
+
+/// A value that no shader has is told by `check` too, though no device is opened.
+#[test]
+fn check_tells_of_values_that_no_shader_has() {
+    let folder = with_family(r#"(extends: "a.ron", sweep: { "shader.NO_SUCH_VALUE": [1, 2] })"#);
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_lucerna"));
+    let run = command.args(["check", "v.ron"]).current_dir(folder.path()).output().unwrap();
+    let said = String::from_utf8(run.stderr).unwrap();
+    assert!(run.status.code() == Some(1) && said.contains("NO_SUCH_VALUE") && said.contains("v.ron:1:"), "{said}");
+}

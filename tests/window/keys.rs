@@ -1,13 +1,15 @@
-//! The table of keys is what the README lists.
+//! The table of keys is what docs/window.md lists, and what the command prints.
 
-use lucerna::app::window::keys::KEYS;
+use lucerna::app::window::keys::{KEYS, listed};
 
 #[test]
-fn the_readme_lists_every_key() {
-    let readme = std::fs::read_to_string("README.md").unwrap();
+fn the_page_on_the_window_lists_every_key() {
+    let page = std::fs::read_to_string("docs/window.md").unwrap();
+    let printed = listed();
     for (key, meaning) in KEYS {
         let row = format!("| {key} | {meaning} |");
-        assert!(readme.contains(&row), "README.md lacks the row:\n{row}");
+        assert!(page.contains(&row), "docs/window.md lacks the row:\n{row}");
+        assert!(printed.lines().any(|line| line.contains(key) && line.ends_with(meaning)), "{printed}");
     }
-    assert_eq!(readme.matches("\n| F").count(), KEYS.iter().filter(|(key, _)| key.starts_with('F')).count());
+    assert_eq!(page.matches("\n| F").count(), KEYS.iter().filter(|(key, _)| key.starts_with('F')).count());
 }

@@ -4,12 +4,12 @@ use clap::{Args, Subcommand};
 
 use super::light::{self, LightArguments};
 use super::{LEAST_RUNS, build, extend, sort};
-use crate::app::shared::values::EXIT_CODES;
+use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
 use crate::gpu::Gpu;
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES, args_conflicts_with_subcommands = true)]
+#[command(after_help = MORE, args_conflicts_with_subcommands = true)]
 pub struct BenchArguments {
     #[command(subcommand)]
     pub command: Option<BenchCommand>,

@@ -6,24 +6,27 @@ use serde_json::{Value, json};
 
 use crate::app::shared::failure::show;
 use crate::app::shared::output;
+use crate::app::variants::find::find as find_variants;
 use crate::app::{Exit, Failure};
-use crate::scene::{self, Audit, Audited, Diagnostic, Fate, Severity, Verdict, audit};
+use crate::scene::{self, Audit, Audited, Diagnostic, Fate, Severity, Verdict, audits};
 
-/// Prints the materials of files, or of scenes by their names, as a table or as one JSON object.
+/// Prints the materials of files, or of scenes and families by their names, as a table or as one JSON object.
 pub fn run(paths: &[PathBuf], as_json: bool) -> Result<Exit, Failure> {
-    let mut audits = Vec::new();
+    let mut all: Vec<Audit> = Vec::new();
     for path in paths {
-        audits.push(audit(&scene::find(&path.to_string_lossy())?));
+        let name = path.to_string_lossy();
+        let file = scene::find(&name).or_else(|error| find_variants(&name).map_err(|_| error))?;
+        all.extend(audits(&file));
     }
-    let messages = || audits.iter().flat_map(|audit| &audit.diagnostics.list);
+    let messages = || all.iter().flat_map(|audit| &audit.diagnostics.list);
     messages().for_each(|diagnostic| show(diagnostic));
     let errors = messages().filter(|diagnostic| diagnostic.severity == Severity::Error).count();
     let text = match as_json {
         true => {
-            let files: Vec<Value> = audits.iter().map(file_of).collect();
+            let files: Vec<Value> = all.iter().map(file_of).collect();
             format!("{:#}\n", json!({ "files": files, "errors": errors, "warnings": messages().count() - errors }))
         }
-        false => audits.iter().map(rendered).collect::<Vec<_>>().join("\n"),
+        false => all.iter().map(rendered).collect::<Vec<_>>().join("\n"),
     };
     output::print(&text)?;
     Ok(if errors == 0 { Exit::Done } else { Exit::Failed })
@@ -62,12 +65,15 @@ fn file_of(audit: &Audit) -> Value {
         })
     };
     let materials: Vec<Value> = audit.materials.iter().map(material).collect();
-    json!({ "file": audit.file.to_string_lossy(), "materials": materials })
+    json!({ "file": audit.file.to_string_lossy(), "members": audit.members, "materials": materials })
 }
 
 /// A file's materials: a heading each, its statements below, a line each.
 fn rendered(audit: &Audit) -> String {
-    let mut text = format!("{}\n", audit.file.display());
+    let mut text = match &audit.members[..] {
+        [] => format!("{}\n", audit.file.display()),
+        members => format!("{}: {}\n", audit.file.display(), members.join(", ")),
+    };
     for audited in &audit.materials {
         text += &heading(audited);
         let width = |of: fn(&Verdict) -> usize| audited.statements.iter().map(of).max().unwrap_or_default().min(44);

@@ -1,27 +1,31 @@
 //! `lucerna check`: assets and shaders, nothing rendered.
 
+mod families;
 mod materials;
+mod shaders;
+mod surfaces;
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use self::families::wrong_code;
 use crate::app::shared::failure::show;
 use crate::app::shared::output;
-use crate::app::shared::values::EXIT_CODES;
+use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
-use crate::gpu::checked_entry;
-use crate::passes::Pass;
 use crate::passes::table::TABLE;
 use crate::scene;
-use crate::shader::{Library, ShaderError};
+use crate::shader::Library;
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES)]
+#[command(after_help = MORE)]
 pub struct CheckArguments {
-    /// Assets (.ron, .obj, .mtl) or folders of them [default: the folder assets, and all shaders]
+    /// Assets (.ron, .obj, .mtl), or folders of them or of shaders [default: the folder assets, and the shaders in use]
     pub paths: Vec<PathBuf>,
+    /// Check the shaders of this folder, as `render --shaders DIR` would draw with them
+    #[arg(long, value_name = "DIR")]
+    pub shaders: Option<PathBuf>,
     /// Say of every statement of every material whether it is honoured, approximated or ignored, and why
     #[arg(long, requires = "paths")]
     pub materials: bool,
@@ -30,42 +34,81 @@ pub struct CheckArguments {
     pub json: bool,
 }
 
+/// What was counted, and what there is to be said in the end.
+#[derive(Default)]
+struct Counts {
+    files: usize,
+    errors: usize,
+    warnings: usize,
+    /// What was checked, as the heads of the last line.
+    heads: Vec<String>,
+    tables: String,
+}
+
 /// Checks what was named; without names, the folder of assets and every shader.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
     if arguments.materials {
         return materials::run(&arguments.paths, arguments.json);
     }
-    let mut errors = 0;
-    let mut warnings = 0;
-    let mut files = 0;
-    let mut tables = String::new();
-    let paths = if arguments.paths.is_empty() { vec![assets()] } else { arguments.paths.clone() };
-    for path in &paths {
+    let mut counts = Counts::default();
+    for path in &arguments.paths {
+        counts.add_path(path)?;
+    }
+    if let Some(folder) = &arguments.shaders {
+        counts.add_shaders(&Library::open(folder)?);
+    }
+    if arguments.paths.is_empty() && arguments.shaders.is_none() {
+        counts.add_assets(scene::check(&assets()));
+        counts.add_shaders(&Library::shipped());
+    }
+    let Counts { files, errors, warnings, mut heads, tables } = counts;
+    if files > 0 || heads.is_empty() {
+        heads.insert(0, format!("{files} {}", plural(files, "asset", "assets")));
+    }
+    let [error, warning] = [plural(errors, "error", "errors"), plural(warnings, "warning", "warnings")];
+    output::print(&format!("{}: {errors} {error}, {warnings} {warning}\n{tables}", heads.join(", ")))?;
+    Ok(if errors == 0 { Exit::Done } else { Exit::Failed })
+}
+
+impl Counts {
+    /// Checks a file, or what a folder has of assets and of shaders.
+    fn add_path(&mut self, path: &Path) -> Result<(), Failure> {
         let checked = scene::check(path);
-        files += checked.files.len();
-        for diagnostic in &checked.diagnostics.list {
+        let without_assets = path.is_dir() && checked.files.is_empty();
+        if path.is_dir()
+            && let Some(library) = shaders::in_folder(path, without_assets)?
+        {
+            self.add_shaders(&library);
+            if without_assets {
+                return Ok(());
+            }
+        }
+        self.add_assets(checked);
+        Ok(())
+    }
+
+    /// Shows what is wrong with assets.
+    fn add_assets(&mut self, checked: scene::Checked) {
+        self.files += checked.files.len();
+        let code = checked.files.iter().flat_map(|file| wrong_code(file));
+        for diagnostic in checked.diagnostics.list.iter().chain(&code.collect::<Vec<_>>()) {
             match diagnostic.severity {
-                scene::Severity::Error => errors += 1,
-                scene::Severity::Warning => warnings += 1,
+                scene::Severity::Error => self.errors += 1,
+                scene::Severity::Warning => self.warnings += 1,
             }
             show(diagnostic);
         }
-        checked.tables.iter().for_each(|table| tables += &rendered(table));
+        checked.tables.iter().for_each(|table| self.tables += &rendered(table));
     }
-    let mut text = format!("{files} {}", plural(files, "asset", "assets"));
-    if arguments.paths.is_empty() {
-        let (variants, wrong, slow) = check_shaders();
-        errors += wrong;
-        warnings += slow;
-        text += &format!(", {} passes in {variants} variants", TABLE.len());
+
+    /// Checks shaders, and shows what is wrong with them.
+    fn add_shaders(&mut self, library: &Library) {
+        let checked = shaders::check(library);
+        self.errors += checked.errors;
+        self.warnings += checked.warnings;
+        self.heads.push(format!("{} passes in {} variants", TABLE.len(), checked.variants));
+        self.heads.extend((!checked.lint.is_empty()).then_some(checked.lint));
     }
-    text += &format!(
-        ": {errors} {}, {warnings} {}\n",
-        plural(errors, "error", "errors"),
-        plural(warnings, "warning", "warnings")
-    );
-    output::print(&(text + &tables))?;
-    Ok(if errors == 0 { Exit::Done } else { Exit::Failed })
 }
 
 fn plural<'a>(n: usize, one: &'a str, many: &'a str) -> &'a str {
@@ -89,39 +132,4 @@ fn rendered(table: &scene::Table) -> String {
 fn assets() -> PathBuf {
     let here = Path::new("assets");
     if here.is_dir() { here.to_path_buf() } else { Path::new(env!("CARGO_MANIFEST_DIR")).join("assets") }
-}
-
-/// Links every pass under every set of features its modules name, and checks its row. How many variants were right, how
-/// many mistakes there are, and how many warnings.
-fn check_shaders() -> (usize, usize, usize) {
-    let library = Library::shipped();
-    let mut variants = 0;
-    // One mistake in a shared module would be reported once a pass.
-    let (mut errors, mut warnings) = (BTreeSet::new(), BTreeSet::new());
-    for pass in TABLE {
-        match check_pass(&library, pass) {
-            Ok((count, slow)) => {
-                variants += count;
-                slow.iter().filter(|warning| warnings.insert(warning.to_string())).for_each(|warning| show(warning));
-            }
-            Err(error) => {
-                if errors.insert(error.to_string()) {
-                    show(&error);
-                }
-            }
-        }
-    }
-    (variants, errors.len(), warnings.len())
-}
-
-/// How many variants a pass has, if all are right, and what of them is slow to compile.
-fn check_pass(library: &Library, pass: &Pass) -> Result<(usize, Vec<ShaderError>), ShaderError> {
-    let sets = library.feature_sets(pass.module)?;
-    let mut slow = Vec::new();
-    for features in &sets {
-        let linked = library.link(pass.module, features)?;
-        slow.extend(linked.large_variables());
-        checked_entry(pass, &linked, features)?;
-    }
-    Ok((sets.len(), slow))
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::app::shared::values::{EXIT_CODES, crop, stops};
+use crate::app::shared::values::{MORE, crop, stops};
 use crate::components::Crop;
 use crate::image::{Kind, Output};
 
@@ -24,7 +24,7 @@ Pixels that are NaN, infinite or negative in either file are counted, and left o
 ";
 
 #[derive(Debug, Args)]
-#[command(after_help = format!("{HELP}{EXIT_CODES}"))]
+#[command(after_help = format!("{HELP}{MORE}"))]
 pub struct CompareArguments {
     /// The picture to be judged
     pub a: PathBuf,
@@ -36,9 +36,9 @@ pub struct CompareArguments {
     /// Side of a block in pixels, at least 8 [default: the longer side in 16]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(i64::from(super::comparison::LEAST_SIDE)..))]
     pub block: Option<u32>,
-    /// Brighten both by so many stops for FLIP and PSNR, -64 to 64
-    #[arg(long, value_name = "STOPS", value_parser = stops, allow_hyphen_values = true, default_value_t = 0.0)]
-    pub exposure: f32,
+    /// Brighten both by so many stops for FLIP and PSNR, -64 to 64 [default: what B was rendered at, or A, else 0]
+    #[arg(long, value_name = "STOPS", value_parser = stops, allow_hyphen_values = true)]
+    pub exposure: Option<f32>,
     /// Exit with 4 if relMSE is above X, or A has a pixel that is NaN or infinite; so do the next four
     #[arg(long, value_name = "X", value_parser = most)]
     pub max_relmse: Option<f64>,

@@ -31,6 +31,8 @@ pub struct Comparison {
     pub b: Side,
     pub difference: Difference,
     pub blocks: Blocks,
+    /// Stops, for what follows.
+    pub exposure: f32,
     /// Decibels; `None` for equal pictures.
     pub psnr: Option<f64>,
     /// FLIP of every pixel; empty where it is not built in.

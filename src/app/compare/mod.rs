@@ -44,19 +44,23 @@ pub fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
     let heat = heat(arguments)?;
     let (a, b) = (PictureFile::open(&arguments.a)?, PictureFile::open(&arguments.b)?);
     let (windows, origin) = windows(&a, &b, arguments.crop).map_err(Failure::of)?;
-    if let Some(output) = &arguments.output {
-        output.prepare(&[arguments.a.clone(), arguments.b.clone()])?;
-    }
+    let read = [arguments.a.clone(), arguments.b.clone()];
+    let prepared = arguments.output.as_ref().map(|output| output.prepare(&read)).transpose();
     let sides = [side(&a, windows[0])?, side(&b, windows[1])?];
-    let comparison = compare(sides, windows[0].size(), origin, arguments).map_err(Failure::of)?;
-    let heat_map = arguments.output.as_ref().zip(heat).map(|(output, heat)| heat::write(&comparison, heat, output));
+    let exposure = exposure(arguments, [&a, &b]);
+    let comparison = compare(sides, windows[0].size(), origin, (arguments.block, exposure)).map_err(Failure::of)?;
+    // What is known of the pictures is told whatever becomes of the heat map.
+    let heat_map = prepared.and_then(|_| {
+        let wanted = arguments.output.as_ref().zip(heat);
+        wanted.map(|(output, heat)| heat::write(&comparison, heat, output)).transpose()
+    });
     let exceeded = report::exceeded(&comparison, arguments);
     match arguments.json {
         true => output::print(&format!("{}\n", report::json(&comparison, arguments, &exceeded)))?,
-        false => output::print(&report::text(&comparison, arguments))?,
+        false => output::print(&report::text(&comparison))?,
     }
     exceeded.iter().for_each(|line| output::note(line));
-    heat_map.transpose()?;
+    heat_map?;
     Ok(if exceeded.is_empty() { Exit::Done } else { Exit::Differs })
 }
 
@@ -95,6 +99,19 @@ fn windows(a: &PictureFile, b: &PictureFile, crop: Option<Crop>) -> Result<([Cro
     Ok(([Crop { min: UVec2::ZERO, max: a.size }; 2], places[0]))
 }
 
+/// The exposure that both are shown at: what the command line says, else what the files do.
+fn exposure(arguments: &CompareArguments, [a, b]: [&PictureFile; 2]) -> f32 {
+    let given = arguments.exposure.or(b.exposure()).or(a.exposure()).unwrap_or(0.0);
+    if arguments.exposure.is_none()
+        && let (Some(of_a), Some(of_b)) = (a.exposure(), b.exposure())
+        && of_a != of_b
+    {
+        let (a, b) = (a.path.display(), b.path.display());
+        output::note(&format!("{a} was rendered at exposure {of_a}, {b} at {of_b}: both are shown at {of_b}"));
+    }
+    given
+}
+
 fn side(source: &PictureFile, window: Crop) -> Result<Side, Failure> {
     let pixels = source.read(window)?;
     let name = source.path.display().to_string();
@@ -108,20 +125,20 @@ fn compare(
     [a, b]: [Side; 2],
     size: UVec2,
     origin: IVec2,
-    arguments: &CompareArguments,
+    (block, exposure): (Option<u32>, f32),
 ) -> Result<Comparison, CompareError> {
     let difference = Difference::of(&a.pixels, &b.pixels);
     let Some(difference) = difference else { return Err(CompareError::Nothing { a: a.name, b: b.name }) };
-    let side = arguments.block.unwrap_or_else(|| size.max_element().div_ceil(BLOCKS).max(LEAST_SIDE));
+    let side = block.unwrap_or_else(|| size.max_element().div_ceil(BLOCKS).max(LEAST_SIDE));
     let blocks = Blocks::of(&a.pixels, &b.pixels, Grid::new(size, side));
-    let scale = f64::from(arguments.exposure).exp2();
+    let scale = f64::from(exposure).exp2();
     let shown = [shown(&a.pixels, &b.pixels, scale), shown(&b.pixels, &a.pixels, scale)];
     let psnr = peak_signal_to_noise(&shown[0], &shown[1], difference.pixels);
     #[cfg(feature = "flip")]
     let flip = crate::app::shared::flip::flip(&shown[0], &shown[1], size);
     #[cfg(not(feature = "flip"))]
     let flip = Vec::new();
-    Ok(Comparison { size, origin, a, b, difference, blocks, psnr, flip })
+    Ok(Comparison { size, origin, a, b, difference, blocks, exposure, psnr, flip })
 }
 
 /// A picture as it would be displayed; black where either is bad, so that both are equal there.

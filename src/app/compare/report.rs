@@ -44,10 +44,37 @@ pub fn exceeded(comparison: &Comparison, arguments: &CompareArguments) -> Vec<St
     lines
 }
 
+/// What it comes to, in a sentence.
+pub fn verdict(comparison: &Comparison) -> String {
+    let (difference, blocks) = (&comparison.difference, &comparison.blocks);
+    if difference.mse == 0.0 {
+        return "equal: every pixel is the same in both".to_owned();
+    }
+    let mean = |of: [f64; 3]| of.iter().sum::<f64>();
+    let by = 100.0 * (mean(difference.mean_a) / mean(difference.mean_b) - 1.0);
+    let by = if by.is_finite() { format!("{by:+.2} %") } else { "from black".to_owned() };
+    let (Some(limit), Some(whole)) = (blocks.limit, blocks.whole) else {
+        return format!("can't tell a difference from noise, of so few pixels: A is {by} against B in the mean");
+    };
+    let whole = whole.iter().fold(0.0f64, |most, z| most.max(z.abs()));
+    match blocks.beyond() {
+        0 if whole <= limit => format!("no difference beyond noise: A is {by} against B in the mean"),
+        0 => format!("they differ beyond noise: A is {by} against B in the mean, {whole:.1} standard errors"),
+        beyond => {
+            let of = blocks.list.len();
+            let worst = blocks.worst().map_or(String::new(), |block| {
+                format!(", by up to {:+.1} % in {}", 100.0 * block.relative, comparison.place(block))
+            });
+            format!("they differ beyond noise in {beyond} of {of} blocks{worst}; A is {by} against B in the mean")
+        }
+    }
+}
+
 /// The lines for users.
-pub fn text(comparison: &Comparison, arguments: &CompareArguments) -> String {
+pub fn text(comparison: &Comparison) -> String {
     let (a, b, difference) = (&comparison.a, &comparison.b, &comparison.difference);
-    let mut text = format!("{} against {}: {}x{}", a.name, b.name, comparison.size.x, comparison.size.y);
+    let mut text = format!("{}\n", verdict(comparison));
+    text += &format!("{} against {}: {}x{}", a.name, b.name, comparison.size.x, comparison.size.y);
     text += &format!(" from {},{}, {} pixels compared\n", comparison.origin.x, comparison.origin.y, difference.pixels);
     text += &bad(a, comparison);
     text += &bad(b, comparison);
@@ -58,7 +85,7 @@ pub fn text(comparison: &Comparison, arguments: &CompareArguments) -> String {
     line("MSE", format!("{:.6e}", difference.mse));
     line("MAE", format!("{:.6e}", difference.mae));
     line("relMSE", format!("{:.6e}", difference.relative_mse));
-    let exposure = arguments.exposure;
+    let exposure = comparison.exposure;
     let psnr = comparison.psnr.map_or("equal pictures".to_owned(), |psnr| format!("{psnr:.3} dB"));
     line("PSNR", format!("{psnr} (as 8-bit sRGB, exposure {exposure})"));
     match comparison.mean_flip() {
@@ -110,6 +137,7 @@ pub fn json(comparison: &Comparison, arguments: &CompareArguments, exceeded: &[S
         })
     };
     json!({
+        "verdict": verdict(comparison),
         "a": side(&comparison.a, difference.mean_a),
         "b": side(&comparison.b, difference.mean_b),
         "size": [comparison.size.x, comparison.size.y],
@@ -118,7 +146,7 @@ pub fn json(comparison: &Comparison, arguments: &CompareArguments, exceeded: &[S
         "mse": difference.mse,
         "mae": difference.mae,
         "relmse": difference.relative_mse,
-        "exposure": arguments.exposure,
+        "exposure": comparison.exposure,
         "psnr": comparison.psnr,
         "flip": comparison.mean_flip(),
         "has_flip": HAS_FLIP,

@@ -7,12 +7,12 @@ use clap::Args;
 use glam::UVec2;
 
 use super::core::{Plan, WITHIN};
-use crate::app::shared::values::{EXIT_CODES, define, output, seconds, size};
+use crate::app::shared::values::{MORE, define, output, seconds, size};
 use crate::image::Output;
 use crate::scene::Define;
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES)]
+#[command(after_help = MORE)]
 pub struct JudgeArguments {
     /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
     pub scene: String,

@@ -98,7 +98,7 @@ fn describe(arguments: &JudgeArguments) -> Result<(PathBuf, Loaded), Failure> {
 
 /// Traces until an analysis ends it, or a signal does.
 fn watch(judge: &mut Judge, arguments: &JudgeArguments, interrupt: &Interrupt) -> Result<Analysis, Failure> {
-    let goal = Goal { samples: arguments.films.map(u64::from), seconds: judge.seconds_left() };
+    let goal = Goal { samples: arguments.films.map(u64::from), seconds: judge.seconds_left(), error: None };
     let mut meter = Meter::new("judge", goal, arguments.quiet);
     let analysis = loop {
         match judge.advance() {

@@ -2,12 +2,13 @@
 
 use clap::Args;
 
+use crate::app::shared::quality::Quality;
 use crate::app::shared::scene::SceneFlags;
-use crate::app::shared::values::{EXIT_CODES, output, seconds};
+use crate::app::shared::values::{MORE, output, seconds};
 use crate::image::Output;
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+#[command(after_help = MORE, allow_negative_numbers = true)]
 pub struct RenderArguments {
     /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
     pub scene: String,
@@ -16,6 +17,9 @@ pub struct RenderArguments {
     /// Render for so many seconds instead (with --spp: whichever comes first)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
+    /// How good the picture is to be [default: the scene's number of samples, else good]
+    #[arg(long, value_enum, conflicts_with_all = ["spp", "time"])]
+    pub quality: Option<Quality>,
     /// Write to this file: .png, .exr or .json; may be given several times [default: result/SCENE.png, .exr and .json]
     #[arg(short, value_name = "FILE", value_parser = output)]
     pub output: Vec<Output>,

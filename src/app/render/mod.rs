@@ -2,6 +2,7 @@
 
 mod arguments;
 pub mod report;
+mod until;
 
 pub use arguments::RenderArguments;
 
@@ -13,15 +14,17 @@ use crate::app::shared::failure::show;
 use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::output;
 use crate::app::shared::parameters;
-use crate::app::shared::progress::{Goal, Meter};
+use crate::app::shared::progress::Meter;
 use crate::app::shared::scene::Opened;
 use crate::app::shared::textures::TextureNotices;
 use crate::app::{Exit, Failure};
-use crate::engine::Engine;
+use crate::components::Render;
+use crate::engine::{Engine, Progress};
 use crate::gpu::Gpu;
 use crate::image::{Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
 use report::{RenderSummary, Seconds};
+use until::{Ended, Until};
 
 /// Tracing between two polls of the clock and of signals.
 const STEP: Duration = Duration::from_millis(100);
@@ -29,24 +32,15 @@ const STEP: Duration = Duration::from_millis(100);
 /// What is said where there is nothing to write.
 const NOTHING: &str = "interrupted before there was anything to write";
 
-/// How tracing ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Ended {
-    Finished,
-    Interrupted,
-}
-
 /// Loads, renders, saves and reports. `started` is when the process began.
 pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let begin = Instant::now();
     let opened = arguments.flags.open(&arguments.scene, arguments.quiet)?;
     let library = arguments.flags.library(&opened)?;
-    let Opened { path, mut description, files, .. } = opened;
-    if arguments.time.is_some() && !arguments.flags.settings.gives("spp") {
-        // The scene's own number of samples is no limit.
-        description.render.spp = u32::MAX;
-    }
+    let Opened { path, mut description, files, spp, .. } = opened;
+    let until = Until::of(arguments, spp);
+    description.render.spp = until.first();
     let (mut outputs, prepared) = output::prepare(&outputs(arguments, &path)?, &files)?;
     let load = begin.elapsed();
 
@@ -58,7 +52,7 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
     engine.set_timing(true);
     let load = load + begin.elapsed();
 
-    let ended = trace(&mut engine, &description, arguments, &interrupt)?;
+    let ended = trace(&mut engine, &description, (until, arguments.quiet), &interrupt, started)?;
     let film = engine.film().map_err(Failure::engine)?;
     if !arguments.quiet {
         let unread = parameters::unread(&description.shader, &engine);
@@ -79,7 +73,8 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         film: &film,
         report: &report,
         seconds,
-        interrupted,
+        until,
+        ended,
     };
     let saved = save_and_report(&summary, &mut outputs)?;
     Ok(match (saved && prepared, interrupted) {
@@ -110,8 +105,9 @@ fn save_and_report(summary: &RenderSummary, outputs: &mut Outputs) -> Result<boo
             summary.report.bad_samples
         ));
     }
-    if summary.interrupted && !arguments.quiet {
-        output::note(&format!("interrupted at {} of {} spp", summary.film.spp, summary.description.render.spp));
+    if summary.ended == Ended::Interrupted && !arguments.quiet {
+        let of = summary.until.spp.map_or(String::new(), |spp| format!(" of {spp}"));
+        output::note(&format!("interrupted at {}{of} spp", summary.film.spp));
     }
     match arguments.json {
         true => output::print(&format!("{}\n", summary.json(&names)))?,
@@ -120,51 +116,85 @@ fn save_and_report(summary: &RenderSummary, outputs: &mut Outputs) -> Result<boo
     Ok(failures.is_empty())
 }
 
-/// Steps until the film is finished, the time is up, or a signal comes.
+/// What a render needs while it traces.
+struct Tracing<'r> {
+    engine: &'r mut Engine,
+    meter: Meter,
+    until: Until,
+    interrupt: &'r Interrupt,
+}
+
+/// Steps until the film is finished, the time is up, or a signal comes. `started` is when the process began.
 fn trace(
     engine: &mut Engine,
     description: &SceneDescription,
-    arguments: &RenderArguments,
+    (until, quiet): (Until, bool),
     interrupt: &Interrupt,
+    started: Instant,
 ) -> Result<Ended, Failure> {
     let size = description.film.window().size();
     let pixels = u64::from(size.x) * u64::from(size.y);
-    let by_samples = arguments.time.is_none() || arguments.flags.settings.gives("spp");
-    let goal = Goal {
-        samples: by_samples.then(|| pixels.saturating_mul(u64::from(description.render.spp))),
-        seconds: arguments.time,
-    };
-    let mut meter = Meter::new(&description.name, goal, arguments.quiet);
+    let meter = Meter::new(&description.name, until.goal(pixels, started.elapsed().as_secs_f64()), quiet);
     engine.on_compiling(watch_compiling(meter.show_compiling()));
+    let mut tracing = Tracing { engine, meter, until, interrupt };
     // Nothing is traced yet: what there is room for is known before long work begins.
-    let mut told = arguments.quiet;
+    let mut told = quiet;
     loop {
-        let left = arguments.time.map_or(STEP, |time| Duration::from_secs_f64(time).saturating_sub(meter.elapsed()));
-        let step = engine.step(STEP.min(left)).map_err(Failure::engine)?;
+        let (step, over) = tracing.step()?;
         if !std::mem::replace(&mut told, true) {
+            let engine = &tracing.engine;
             let warnings = TextureNotices::default().fresh(engine.textures(), engine.halved_sky());
             warnings.iter().for_each(|warning| output::note(&format!("warning: {warning}")));
         }
-        meter.advance(step.samples, step.spp);
-        if step.samples > 0 {
-            interrupt.hold();
-        }
-        let ended = match (step.finished, interrupt.requested()) {
-            (true, _) => Some(Ended::Finished),
-            (false, true) => Some(Ended::Interrupted),
-            // Short of time, every pixel still gets one sample.
-            (false, false) if arguments.time.is_some() && left.is_zero() && step.spp >= 1 => Some(Ended::Finished),
-            (false, false) => None,
-        };
-        if let Some(ended) = ended {
-            meter.finish();
+        if let Some(ended) = tracing.ended(step, over)? {
+            tracing.meter.finish();
             return Ok(ended);
         }
-        if meter.wants_error() {
-            let begin = Instant::now();
-            let error = engine.film().map_err(Failure::engine)?.relative_error;
-            meter.set_error(error, begin.elapsed());
+        if tracing.meter.wants_error() {
+            tracing.look()?;
         }
+    }
+}
+
+impl Tracing<'_> {
+    /// Traces for a moment. Also says whether the time is up.
+    fn step(&mut self) -> Result<(Progress, bool), Failure> {
+        let left = self.meter.seconds_left().map_or(STEP, Duration::from_secs_f64);
+        let step = self.engine.step(STEP.min(left)).map_err(Failure::engine)?;
+        self.meter.advance(step.samples, step.spp);
+        if step.samples > 0 {
+            self.interrupt.hold();
+        }
+        Ok((step, left.is_zero()))
+    }
+
+    /// Whether the render is finished, and why. A film that is to have more samples first is given them.
+    fn ended(&mut self, step: Progress, over: bool) -> Result<Option<Ended>, Failure> {
+        if step.finished && self.until.quality.is_some() {
+            let error = self.look()?;
+            let Some(spp) = self.until.next(step.spp, error) else { return Ok(Some(Ended::Error)) };
+            self.engine.edit(|world| {
+                for mut render in world.query::<&mut Render>().iter_mut(world) {
+                    render.spp = spp;
+                }
+            });
+        } else if step.finished {
+            return Ok(Some(Ended::Samples));
+        }
+        Ok(match (self.interrupt.requested(), over) {
+            (true, _) => Some(Ended::Interrupted),
+            // Short of time, every pixel still gets one sample.
+            (false, true) if step.spp >= 1 => Some(Ended::Time),
+            (false, _) => None,
+        })
+    }
+
+    /// Reads the film's error, and shows it.
+    fn look(&mut self) -> Result<f64, Failure> {
+        let begin = Instant::now();
+        let error = self.engine.film().map_err(Failure::engine)?.relative_error;
+        self.meter.set_error(error, begin.elapsed());
+        Ok(error)
     }
 }
 

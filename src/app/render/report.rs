@@ -5,7 +5,9 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::arguments::RenderArguments;
+use super::until::{Ended, Until};
 use crate::app::shared::describe::Described;
+use crate::app::shared::quality::Quality;
 use crate::engine::{FilmImage, Report};
 use crate::layout::film::BadSample;
 use crate::scene::SceneDescription;
@@ -33,7 +35,8 @@ pub struct RenderSummary<'a> {
     pub film: &'a FilmImage,
     pub report: &'a Report,
     pub seconds: Seconds,
-    pub interrupted: bool,
+    pub until: Until,
+    pub ended: Ended,
 }
 
 impl RenderSummary<'_> {
@@ -84,7 +87,9 @@ impl RenderSummary<'_> {
             "energy": scene.render.energy.variant(),
             "exposure": scene.film.exposure,
             "repeat": self.described().repeat(),
-            "interrupted": self.interrupted,
+            "interrupted": self.ended == Ended::Interrupted,
+            "ended_by": self.ended.word(),
+            "quality": self.until.quality.map(Quality::name),
             "seconds": {
                 "start": self.seconds.start,
                 "load": self.seconds.load,
@@ -141,6 +146,10 @@ impl RenderSummary<'_> {
                 _ => format!("estimated relMSE {:.2e}", film.relative_error),
             },
         );
+        let error = (film.spp > 1).then_some(film.relative_error);
+        if let Some(line) = self.until.line(self.ended, error) {
+            text += &format!("  {line}\n");
+        }
         if stats {
             text += &self.stats();
         }

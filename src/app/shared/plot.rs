@@ -96,10 +96,7 @@ pub fn svg(title: &str, about: &str, mut lines: Vec<Line>, axis: Axis) -> Option
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}pt\" height=\"{HEIGHT}pt\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" \
          font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" font-size=\"9\" fill=\"#222\">\n\
-         <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n\
-         <clipPath id=\"frame\"><rect x=\"{LEFT}\" y=\"{TOP}\" width=\"{}\" height=\"{}\"/></clipPath>\n",
-        RIGHT - LEFT,
-        BOTTOM - TOP,
+         <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n"
     );
     out += &format!(
         "<text x=\"{LEFT}\" y=\"20\" font-size=\"12\" font-weight=\"bold\">{}</text>\n\
@@ -109,11 +106,9 @@ pub fn svg(title: &str, about: &str, mut lines: Vec<Line>, axis: Axis) -> Option
     );
     out += &grid(x, y);
     out += &guides(x, y);
-    out += "<g clip-path=\"url(#frame)\">\n";
     let styled = || lines.iter().enumerate().map(|(i, line)| (line, i % STYLES.len()));
     styled().for_each(|(line, style)| out += &band(line, style, x, y));
     styled().for_each(|(line, style)| out += &curve(line, style, x, y));
-    out += "</g>\n";
     out += &frame(x, y, axis);
     out += &legend(&lines);
     Some(out + "</svg>\n")
@@ -131,14 +126,17 @@ fn grid(x: Scale, y: Scale) -> String {
     out + "</g>\n"
 }
 
-/// Lines of slope -1, a decade apart: along one, twice the work halves the error.
+/// Lines of slope -1, a decade apart: along one, twice the work halves the error. They end at the frame, for some programs draw nothing
+/// that is clipped.
 fn guides(x: Scale, y: Scale) -> String {
-    let mut out = String::from(
-        "<g clip-path=\"url(#frame)\" stroke=\"#a8a8a8\" stroke-width=\"0.6\" stroke-dasharray=\"1 3\">\n",
-    );
+    let mut out = String::from("<g stroke=\"#a8a8a8\" stroke-width=\"0.6\" stroke-dasharray=\"1 3\">\n");
     let sums = (x.low + y.low).floor() as i32..=(x.high + y.high).ceil() as i32;
     for sum in sums.map(f64::from) {
-        let [x0, y0, x1, y1] = [x.at(x.low), y.at(sum - x.low), x.at(x.high), y.at(sum - x.high)];
+        let (left, right) = (x.low.max(sum - y.high), x.high.min(sum - y.low));
+        if left >= right {
+            continue;
+        }
+        let [x0, y0, x1, y1] = [x.at(left), y.at(sum - left), x.at(right), y.at(sum - right)];
         let _ = writeln!(out, "<path d=\"M{x0:.2} {y0:.2}L{x1:.2} {y1:.2}\"/>");
     }
     out + "</g>\n"

@@ -8,8 +8,12 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use super::compiling::{is_due, line};
 use super::output;
 
-/// Steps of the bar.
-const FINE: u64 = 10_000;
+/// Letters of a line: one less than the narrowest terminal that there still is.
+const COLUMNS: usize = 79;
+
+/// Letters of the bar, and of the name before it.
+const BAR: usize = 16;
+const NAME: usize = 16;
 
 /// Between two lines where stderr is no terminal.
 const LINE: Duration = Duration::from_secs(10);
@@ -27,14 +31,18 @@ pub struct Goal {
     pub samples: Option<u64>,
     /// Seconds of tracing.
     pub seconds: Option<f64>,
+    /// The film's relMSE, by its own estimate.
+    pub error: Option<f64>,
 }
 
 /// Shows how far a render is.
 #[derive(Debug)]
 pub struct Meter {
     bar: ProgressBar,
-    /// Before every line.
-    label: String,
+    /// What goes on.
+    name: String,
+    /// It changes, and is said on every line.
+    renamed: bool,
     shown: Shown,
     goal: Goal,
     begin: Instant,
@@ -62,15 +70,13 @@ impl Meter {
             (false, true) => Shown::Bar,
         };
         let target = if shown == Shown::Bar { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-        let bar = ProgressBar::with_draw_target(Some(FINE), target);
-        let style = ProgressStyle::with_template("{prefix} [{bar:30}] {percent:>3} %  {msg}")
-            .expect("invariant: the template is a constant");
-        bar.set_style(style.progress_chars("=> "));
-        bar.set_prefix(name.to_owned());
+        let bar = ProgressBar::with_draw_target(None, target);
+        bar.set_style(ProgressStyle::with_template("{msg}").expect("invariant: the template is a constant"));
         let now = Instant::now();
         Self {
             bar,
-            label: String::new(),
+            name: name.to_owned(),
+            renamed: false,
             shown,
             goal,
             begin: now,
@@ -85,18 +91,23 @@ impl Meter {
 
     /// Says what goes on from now on, on the bar and before every line.
     pub fn rename(&mut self, name: &str) {
-        self.bar.set_prefix(name.to_owned());
-        self.label = format!("{name}: ");
+        name.clone_into(&mut self.name);
+        self.renamed = true;
     }
 
     /// Shows how many seconds shaders have been compiled for.
     pub fn show_compiling(&self) -> impl Fn(u64) + Clone + Send + Sync + use<> {
-        let (bar, shown) = (self.bar.clone(), self.shown);
+        let (bar, shown, name) = (self.bar.clone(), self.shown, self.name.clone());
         move |seconds| match shown {
-            Shown::Bar => bar.set_message(line(seconds)),
+            Shown::Bar => bar.set_message(fitted(&format!("{}: {}", cut(&name, NAME), line(seconds)))),
             Shown::Lines if is_due(seconds) => output::note(&line(seconds)),
             Shown::Lines | Shown::Nothing => {}
         }
+    }
+
+    /// Seconds that are left, where they are limited.
+    pub fn seconds_left(&self) -> Option<f64> {
+        self.goal.seconds.map(|goal| (goal - self.elapsed().as_secs_f64()).max(0.0))
     }
 
     /// Since the beginning.
@@ -121,13 +132,11 @@ impl Meter {
     fn draw(&mut self, message: &str) {
         match self.shown {
             Shown::Nothing => {}
-            Shown::Bar => {
-                self.bar.set_position((self.done() * FINE as f64) as u64);
-                self.bar.set_message(message.to_owned());
-            }
+            Shown::Bar => self.bar.set_message(bar_line(&self.name, self.done(), message)),
             Shown::Lines if self.line.elapsed() >= LINE => {
                 self.line = Instant::now();
-                output::note(&format!("{:3.0} %  {}{message}", self.done() * 100.0, self.label));
+                let name = if self.renamed { format!("{}: ", self.name) } else { String::new() };
+                output::note(&fitted(&format!("{:3.0} %  {name}{message}", self.done() * 100.0)));
             }
             Shown::Lines => {}
         }
@@ -153,16 +162,16 @@ impl Meter {
     fn done(&self) -> f64 {
         let by_samples = self.goal.samples.map_or(0.0, |goal| self.samples as f64 / goal.max(1) as f64);
         let by_time = self.goal.seconds.map_or(0.0, |goal| self.elapsed().as_secs_f64() / goal);
-        by_samples.max(by_time).clamp(0.0, 1.0)
+        // The error falls with the samples.
+        let by_error = self.goal.error.zip(self.error).map_or(0.0, |(goal, error)| goal / error);
+        let done = by_samples.max(by_time).max(by_error);
+        if done.is_nan() { 0.0 } else { done.clamp(0.0, 1.0) }
     }
 
     fn message(&self) -> String {
         let seconds = self.elapsed().as_secs_f64();
         let done = self.done();
         let mut text = format!("{} spp", self.spp);
-        if seconds > 0.0 {
-            text += &format!(", {:.2} Msamples/s", self.samples as f64 / seconds * 1e-6);
-        }
         if let Some(error) = self.error {
             text += &format!(", error {error:.1e}");
         }
@@ -170,6 +179,26 @@ impl Meter {
             text += &format!(", {} left", clock(seconds * (1.0 - done) / done));
         }
         text
+    }
+}
+
+/// A line with a bar, of which `done`, 0 to 1, is filled.
+pub fn bar_line(name: &str, done: f64, message: &str) -> String {
+    let filled = (done.clamp(0.0, 1.0) * BAR as f64) as usize;
+    let bar = "=".repeat(filled) + if filled < BAR { ">" } else { "" };
+    fitted(&format!("{} [{bar:BAR$}] {:>3.0} %  {message}", cut(name, NAME), done * 100.0))
+}
+
+/// A line without what a narrow terminal has no room for.
+pub fn fitted(line: &str) -> String {
+    cut(line, COLUMNS)
+}
+
+/// As many letters of a text, the last of them an ellipsis if there are more.
+fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some(_) => text.chars().take(most - 1).chain(['…']).collect(),
+        None => text.to_owned(),
     }
 }
 

@@ -42,6 +42,8 @@ pub struct Opened {
     pub files: Vec<PathBuf>,
     /// Where shaders' parameters are set, by their names.
     pub shader_places: BTreeMap<String, ShaderPlace>,
+    /// Samples a pixel, where the scene or the command line gives them.
+    pub spp: Option<u32>,
 }
 
 impl SceneFlags {
@@ -59,7 +61,9 @@ impl SceneFlags {
         if let Some(warning) = unseen.filter(|warning| !quiet && !loaded.warnings.contains(warning)) {
             show(&warning);
         }
-        Ok(Opened { path, description, files: loaded.files, shader_places: loaded.shader_places })
+        let gives_spp = loaded.given.contains("spp") || self.settings.gives("spp");
+        let spp = gives_spp.then_some(description.render.spp);
+        Ok(Opened { path, description, files: loaded.files, shader_places: loaded.shader_places, spp })
     }
 
     /// The shaders to draw a scene with, which are to have the parameters that it sets.

@@ -8,6 +8,9 @@ use crate::scene::Define;
 use crate::scene::settings::MOST_STOPS;
 
 /// What ends every help text.
+pub const MORE: &str = "More: `lucerna help COMMAND` says what values mean; `lucerna help exit-codes`, `help paths` (of -D), `help keys` (of the window)";
+
+/// What the process ends with.
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0    done

@@ -7,11 +7,11 @@ use clap::Args;
 use super::flags::FamilyFlags;
 use super::wanted::Wanted;
 use crate::app::Failure;
-use crate::app::shared::values::EXIT_CODES;
+use crate::app::shared::values::MORE;
 use crate::scene::variants::Family;
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+#[command(after_help = MORE, allow_negative_numbers = true)]
 pub struct VariantsArguments {
     /// A variant file (.ron), or the name of one in assets/variants
     pub family: String,

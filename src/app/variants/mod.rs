@@ -17,7 +17,7 @@ pub mod answers;
 mod arguments;
 mod blank;
 mod board;
-mod code;
+pub(crate) mod code;
 pub mod find;
 pub mod flags;
 mod jobs;
@@ -85,7 +85,7 @@ fn compete(
     }
     let mut order = order(&survey.found);
     order.retain(|index| survey.found[*index].as_ref().is_ok_and(|found| wanted.has(*index, &found.member.name)));
-    let extent = Goal { samples: Some(u64::from(arguments.rounds)), seconds: flags.time.last().copied() };
+    let extent = Goal { samples: Some(u64::from(arguments.rounds)), seconds: flags.time.last().copied(), error: None };
     let watcher = Watcher::new(&family.name, extent, true, interrupt, flags.quiet);
     let raced = race::run(&survey, &order, arguments, &watcher);
     watcher.finish();

@@ -144,12 +144,12 @@ fn extent(survey: &Survey, order: &[usize], jobs: u32) -> (Extent, bool) {
                 Goal::Samples(_) | Goal::Error(_) => 0.0,
             };
             let seconds: f64 = subjects().map(|subject| last(&subject.goal)).sum();
-            (Extent { samples: None, seconds: Some(seconds / f64::from(jobs)) }, false)
+            (Extent { samples: None, seconds: Some(seconds / f64::from(jobs)), error: None }, false)
         }
-        Some(Goal::Error(_)) => (Extent { samples: Some(order.len() as u64), seconds: None }, true),
+        Some(Goal::Error(_)) => (Extent { samples: Some(order.len() as u64), seconds: None, error: None }, true),
         Some(Goal::Samples(_)) | None => {
             let samples = subjects().map(jobs::samples).fold(0, u64::saturating_add);
-            (Extent { samples: Some(samples), seconds: None }, false)
+            (Extent { samples: Some(samples), seconds: None, error: None }, false)
         }
     }
 }

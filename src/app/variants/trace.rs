@@ -7,6 +7,7 @@ use bevy_ecs::change_detection::DetectChangesMut;
 use super::record::Snapshot;
 use super::stage::{Stage, Tally};
 use super::watcher::Watcher;
+use crate::app::shared::looks::{MOST_SPP, next_look};
 use crate::components::Render;
 use crate::engine::{EngineError, FilmImage};
 use crate::scene::variants::Goal;
@@ -16,9 +17,6 @@ const STEP: Duration = Duration::from_millis(100);
 
 /// The first look at a film whose error is to be small enough.
 const FIRST_LOOK: u32 = 4;
-
-/// Samples a pixel of such a film, at most.
-const MOST_SPP: u32 = 1 << 20;
 
 /// A film at its goal.
 pub struct Traced {
@@ -71,8 +69,7 @@ pub fn trace(
                 if spp >= MOST_SPP || stage.engine.film()?.relative_error <= *error {
                     break;
                 }
-                // 4, 6, 8, 12, 16, 24, ..
-                spp = if spp.is_power_of_two() { spp / 2 * 3 } else { spp / 3 * 4 };
+                spp = next_look(spp);
             }
         }
     }

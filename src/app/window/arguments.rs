@@ -2,14 +2,15 @@
 
 use clap::Args;
 
+use super::keys::listed;
 use crate::app::shared::scene::SceneFlags;
-use crate::app::shared::values::EXIT_CODES;
+use crate::app::shared::values::MORE;
 
 /// The scene that opens where none is named.
 pub const DEFAULT_SCENE: &str = "cornell-box";
 
 #[derive(Debug, Args)]
-#[command(after_help = EXIT_CODES, allow_negative_numbers = true)]
+#[command(after_help = format!("{}\n\n{MORE}", listed()), allow_negative_numbers = true)]
 pub struct ViewArguments {
     /// A scene file (.ron), a variant file (.ron), a model (.obj), or the name of a file in assets/scenes or assets/variants
     #[arg(default_value = DEFAULT_SCENE)]

@@ -1,4 +1,4 @@
-//! The one table of keys: what the help shows, and what README.md lists.
+//! The one table of keys: what F1 shows, what `lucerna view --help` prints, and what docs/window.md lists.
 
 /// A key or gesture, and what it does.
 pub const KEYS: &[(&str, &str)] = &[
@@ -22,3 +22,10 @@ pub const KEYS: &[(&str, &str)] = &[
     ("F12", "save PNG and EXR to result/"),
     ("Esc", "quit"),
 ];
+
+/// The table as lines of text.
+pub fn listed() -> String {
+    let width = KEYS.iter().map(|(key, _)| key.len()).max().unwrap_or_default();
+    let lines: Vec<String> = KEYS.iter().map(|(key, meaning)| format!("  {key:width$}  {meaning}")).collect();
+    format!("Keys of the window:\n{}", lines.join("\n"))
+}

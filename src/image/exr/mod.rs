@@ -9,7 +9,7 @@ use std::path::Path;
 use channels::{Channels, Layer};
 use exr::math::Vec2;
 use exr::meta::MetaData;
-use exr::meta::attribute::{Chromaticities, Compression, EnvironmentMap};
+use exr::meta::attribute::{AttributeValue, Chromaticities, Compression, EnvironmentMap, Text};
 use exr::meta::header::Header;
 use glam::{IVec2, UVec2};
 
@@ -18,6 +18,9 @@ use super::tail::Tail;
 
 /// The first bytes of a file.
 pub const MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
+
+/// The attribute that a render's metadata are in: a JSON object.
+pub const METADATA: &str = "lucerna";
 
 /// The bit of the version field that says that some part is deep.
 const DEEP: u32 = 1 << 11;
@@ -86,6 +89,14 @@ impl ExrFile {
     /// Whether it has an alpha of its own.
     pub fn has_alpha(&self) -> bool {
         self.alpha.is_some()
+    }
+
+    /// The exposure, stops, that a render of ours was shown at.
+    pub fn exposure(&self) -> Option<f32> {
+        let attributes = &self.header().own_attributes.other;
+        let Some(AttributeValue::Text(text)) = attributes.get(&Text::from(METADATA)) else { return None };
+        let metadata: serde_json::Value = serde_json::from_str(&text.to_string()).ok()?;
+        metadata.get("exposure")?.as_str()?.parse().ok().filter(|stops: &f32| stops.is_finite())
     }
 
     fn header(&self) -> &Header {

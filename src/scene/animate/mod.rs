@@ -57,6 +57,13 @@ pub struct Key {
 }
 
 impl Track {
+    /// Whether the value at a frame is that of no key.
+    fn is_between(&self, frame: f64) -> bool {
+        let (before, after) =
+            (self.keys.partition_point(|key| key.at < frame), self.keys.partition_point(|key| key.at <= frame));
+        self.curve != Curve::Step && before == after && before > 0 && after < self.keys.len()
+    }
+
     /// The change of the scene that the track is at a frame.
     pub fn at(&self, frame: f64) -> Define {
         let before = self.keys.partition_point(|key| key.at <= frame).saturating_sub(1);
@@ -72,7 +79,12 @@ impl Track {
             Curve::Step => value.numbers[part],
         };
         let value = value.with((0..value.numbers.len()).map(number));
-        let written = Written::File { path: Box::new(self.place.clone()), value: Box::new(place.clone()) };
+        let mut place = place.clone();
+        if self.is_between(frame) {
+            // What is written there is another value.
+            place.message = format!("at frame {frame}, between two keys");
+        }
+        let written = Written::File { path: Box::new(self.place.clone()), value: Box::new(place) };
         Define { path: self.path.clone(), value, written }
     }
 }

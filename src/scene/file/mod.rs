@@ -10,7 +10,7 @@ mod material;
 mod model;
 mod shader;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::UVec2;
 
@@ -45,6 +45,8 @@ pub struct SceneFile {
     pub active: Option<String>,
     pub lights: BTreeMap<String, PointLight>,
     pub settings: Settings,
+    /// The fields of settings that are written.
+    pub given: BTreeSet<&'static str>,
     pub environment: Option<EnvironmentEntry>,
     /// Without that, where something of the scene sends out light.
     pub dark_if_lit: bool,
@@ -81,10 +83,10 @@ pub fn read_scene(reader: &Reader, root: &Node, animated: bool) -> SceneFile {
         file.lights = read_entries(reader, node, "lights", read_light).into_iter().collect();
     }
     if let Some(node) = fields.get("film") {
-        read_settings(reader, node, "film", Group::Film, &mut file.settings);
+        read_settings(reader, node, "film", Group::Film, &mut file);
     }
     if let Some(node) = fields.get("render") {
-        read_settings(reader, node, "render", Group::Render, &mut file.settings);
+        read_settings(reader, node, "render", Group::Render, &mut file);
     }
     file.environment = fields.get("environment").and_then(|node| read_environment(reader, node));
     if let Some(node) = fields.get("materials") {
@@ -113,11 +115,12 @@ fn choose_camera(reader: &Reader, node: &Node, cameras: &BTreeMap<String, Camera
 }
 
 /// `(size: (512, 512), crop: (x0, x1, y0, y1), exposure: 0)`, or `(integrator: Path, sampler: Sobol, ..)`: all optional.
-fn read_settings(reader: &Reader, node: &Node, path: &str, group: Group, settings: &mut Settings) {
+fn read_settings(reader: &Reader, node: &Node, path: &str, group: Group, file: &mut SceneFile) {
     let Some(fields) = Fields::open(reader, node, path) else { return };
+    let settings = &mut file.settings;
     for setting in SETTINGS.iter().filter(|setting| setting.group == group) {
         let size = settings.film.size;
-        fields.read(setting.field, |node| {
+        let read = fields.read(setting.field, |node| {
             match setting.value {
                 Value::Whole { least, most, at } => *at(settings) = node.integer(least, most)?,
                 Value::Stops { most, at, .. } => *at(settings) = node.number((-most).into(), most.into())? as f32,
@@ -132,6 +135,7 @@ fn read_settings(reader: &Reader, node: &Node, path: &str, group: Group, setting
             }
             Ok(())
         });
+        file.given.extend(read.map(|()| setting.field));
     }
     fields.finish();
 }

@@ -57,27 +57,37 @@ fn unquoted(value: &str, error: Diagnostic) -> Diagnostic {
     }
 }
 
-/// The parts of a path, at its dots; a part in double quotes may hold dots itself.
+/// The parts of a path, at its dots; a part in double quotes may hold dots itself, and one in brackets is a number: `models[0].path`.
 fn segments<'a>(text: &'a Text, path: &'a str) -> Result<Vec<&'a str>, Diagnostic> {
     let mut list = Vec::new();
     let mut rest = path;
     loop {
         let (segment, after) = match rest.strip_prefix('"').and_then(|quoted| quoted.split_once('"')) {
             Some((segment, after)) => (segment, after),
-            None => rest.split_at(rest.find('.').unwrap_or(rest.len())),
+            None => rest.split_at(rest.find(['.', '[']).unwrap_or(rest.len())),
         };
         if segment.is_empty() {
             let message = format!("`{path}` is no field path");
             return Err(text.error(rest, message).help("write it like materials.teapot.ns=64"));
         }
         list.push(segment);
+        let mut after = after;
+        while let Some((number, next)) = after.strip_prefix('[').and_then(|open| open.split_once(']')) {
+            if number.is_empty() || !number.bytes().all(|byte| byte.is_ascii_digit()) {
+                return Err(text
+                    .error(&after[1..], "expected a number in brackets")
+                    .help("write it like models[0].path"));
+            }
+            list.push(number);
+            after = next;
+        }
         if list.len() > MAX_DEPTH {
             return Err(text.error(segment, format!("a field path more than {MAX_DEPTH} levels deep")));
         }
         match after.strip_prefix('.') {
             Some(next) => rest = next,
             None if after.is_empty() => return Ok(list),
-            None => return Err(text.error(after, "expected `.` or the end of the path here")),
+            None => return Err(text.error(after, "expected `.`, a number in brackets, or the end of the path here")),
         }
     }
 }

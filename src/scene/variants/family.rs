@@ -1,5 +1,6 @@
 //! What a variant file or an animation comes to: members, and what they are compared by.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crate::scene::define::Define;
@@ -23,6 +24,8 @@ pub struct Family {
     pub goal: Option<Goal>,
     /// Frames a second, where its members are the frames of a movie.
     pub fps: Option<f64>,
+    /// Of an animation: the members in which a value is that of a key, where what is wrong stands as it is written.
+    pub keyed: BTreeSet<usize>,
     /// What is not taken as written.
     pub warnings: Vec<Diagnostic>,
     /// All variant files that were read for it: of the chain of `extends`.

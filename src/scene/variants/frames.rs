@@ -47,6 +47,7 @@ pub fn frames(scene: &Path, defines: &[Define], assets: &Assets) -> Result<Optio
         reference: None,
         goal: None,
         fps: Some(fps),
+        keyed: tracks.iter().flat_map(|track| &track.keys).map(|key| key.at as usize).collect(),
         warnings: hidden(&columns, defines),
         files,
     }))

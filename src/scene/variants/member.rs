@@ -1,6 +1,6 @@
 //! Members of a family: the grid of its axes, and those written by hand.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use super::family::{Axis, Family, MOST_MEMBERS, Member};
@@ -76,6 +76,7 @@ pub fn enumerate(
         reference: family.reference.map(|(chosen, _)| chosen),
         goal: family.goal,
         fps: None,
+        keyed: BTreeSet::new(),
         warnings: hidden(&columns, defines),
         files,
     })

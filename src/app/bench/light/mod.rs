@@ -13,6 +13,7 @@ mod read;
 pub mod record;
 mod reference;
 pub mod tables;
+pub mod winner;
 
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -62,7 +63,7 @@ pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
     }
     let gpu = Gpu::open()?;
     let mut bench = empty(&gpu, arguments);
-    let goal = Goal { samples: Some(samples(&subjects, arguments)), seconds: None };
+    let goal = Goal { samples: Some(samples(&subjects, arguments)), seconds: None, error: None };
     let mut monitor = Monitor { meter: Meter::new("bench", goal, arguments.quiet), interrupt };
     let mut fault = None;
     for subject in subjects {
@@ -213,7 +214,7 @@ fn tell(bench: &Bench, arguments: &LightArguments, earlier: Option<&Bench>) -> R
             }
         }
     }
-    output::print(&if arguments.json { json } else { format!("{table}\n{names}") })?;
+    output::print(&if arguments.json { json } else { format!("{table}\n{names}\n{}", winner::sentences(bench)) })?;
     if let Some(verdict) = verdict.as_ref().filter(|_| arguments.json && !arguments.quiet) {
         output::note(&verdict.markdown());
     }

@@ -100,7 +100,7 @@ impl Shelf {
         let oracle = Oracle::new(&mut world)?;
         let size = description.film.window().size();
         let row = u64::from(size.x) * u64::from(spp);
-        let goal = Goal { samples: Some(row * u64::from(size.y)), seconds: None };
+        let goal = Goal { samples: Some(row * u64::from(size.y)), seconds: None, error: None };
         let meter = Mutex::new(Meter::new(&format!("{}, reference", description.name), goal, quiet));
         let advance = |_, _| {
             if let Ok(mut meter) = meter.lock() {

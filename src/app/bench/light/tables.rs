@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use super::record::{Bench, ConfigurationRecord, SceneRecord, SnapshotSummary};
+use super::winner;
 use crate::app::shared::csv::field;
+use crate::app::shared::spread::{short, spread as with_spread};
 use crate::stats::summary::{Crossing, Summary};
 
 /// A row a snapshot of every seed. Where there is no number, the field is empty.
@@ -55,6 +57,8 @@ pub fn markdown(bench: &Bench) -> String {
             text += &summary_row(scene, configuration, last);
         }
     }
+    text += "\n";
+    text += &winner::sentences(bench);
     text += "\n## By samples\n\nClaimed / true is what the films say of their own error by what it is.\n\n\
              | scene | config | spp | relMSE | min | max | seconds | efficiency | claimed / true |\n\
              |---|---|--:|--:|--:|--:|--:|--:|--:|\n";
@@ -72,7 +76,7 @@ fn rows(bench: &Bench) -> impl Iterator<Item = (&SceneRecord, &ConfigurationReco
 
 fn summary_row(scene: &SceneRecord, configuration: &ConfigurationRecord, last: &SnapshotSummary) -> String {
     let slope = configuration.slope.map_or("-".to_owned(), |slope| match slope.standard_error {
-        Some(error) => format!("{:.3} ± {error:.3}", slope.slope),
+        Some(error) => with_spread(slope.slope, error),
         None => format!("{:.3}", slope.slope),
     });
     let reach = match configuration.reach() {
@@ -142,21 +146,5 @@ fn doubt(scene: &SceneRecord, snapshot: &SnapshotSummary) -> &'static str {
 
 /// Mean and standard error.
 fn spread(summary: &Summary) -> String {
-    match summary.standard_error {
-        Some(error) => format!("{} ± {}", short(summary.mean), short(error)),
-        None => short(summary.mean),
-    }
-}
-
-/// Three digits, with an exponent where there would be many zeros.
-fn short(value: f64) -> String {
-    let size = value.abs();
-    match size {
-        0.0 => "0".to_owned(),
-        _ if !(1e-3..1e5).contains(&size) => format!("{value:.2e}"),
-        _ => {
-            let digits = (2 - size.log10().floor() as i32).max(0) as usize;
-            format!("{value:.digits$}")
-        }
-    }
+    with_spread(summary.mean, summary.standard_error.unwrap_or(0.0))
 }

@@ -53,7 +53,7 @@ impl Family {
                     parameters::check(&description.shader, &loaded.shader_places, &library)?;
                     lock(&listing).choose(&member.name);
                     let shader_places = loaded.shader_places;
-                    let opened = Opened { path: path.to_path_buf(), description, files, shader_places };
+                    let opened = Opened { path: path.to_path_buf(), description, files, shader_places, spp: None };
                     let (path, flags) = (path.to_path_buf(), flags.clone());
                     return Ok((Family { path, flags, listing, layers, assets, files: family.files }, opened, library));
                 }

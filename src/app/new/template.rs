@@ -1,0 +1,121 @@
+//! The text of a new scene file: what there is to change, with what it does.
+
+use glam::{DVec3, Vec3};
+
+use crate::app::window::navigate::to_ron;
+use crate::components::Camera;
+use crate::scene::{KEYS, MtlMaterial, SceneDescription, Value};
+
+/// Letters of a commented line, beyond which what a material is goes without saying.
+const WIDE: usize = 120;
+
+/// A scene of one model, as it is `alone`: all of it in view, and lit by what of it emits, else by day.
+pub fn scene(model: &str, alone: &SceneDescription) -> String {
+    let camera = alone.cameras.get(&alone.active).map(rounded).unwrap_or_default();
+    let [width, height] = alone.film.size.to_array();
+    let light = match alone.environment {
+        None => "    // The model's own lights; for a sky beside them:\n    // environment: Sky(sun: (45, 120)),\n",
+        Some(_) => {
+            "    // A clear day: the sun's height above the horizon and its direction from -z towards +x, degrees; haze from 2 to 10.\n    \
+             environment: Sky(sun: (45, 120), turbidity: 3, strength: 1),\n    \
+             // A picture all around: environment: Map(path: \"sky.exr\", strength: 1),\n"
+        }
+    };
+    format!(
+        "// Saved while `lucerna view` or `lucerna watch` shows it, a change is seen at once; a mistake is told with its line.\n\
+         // `lucerna schema` lists every field.\n\
+         (\n    \
+         models: [\n        \
+         // Paths are relative to this file; also transform: (scale: 2, rotate_y: 30, translate: (0, 1, 0)).\n        \
+         (path: {model:?}),\n    \
+         ],\n    \
+         cameras: {{\n        \
+         // In the window, C prints where the camera is as such a line.\n        \
+         {}\n    \
+         }},\n    \
+         // Pixels, and brighter or darker by stops.\n    \
+         film: (size: ({width}, {height}), exposure: 0),\n    \
+         // Without `spp`, samples a pixel, it is rendered until it is good.\n    \
+         render: (max_depth: 16),\n\
+         {light}    \
+         // A lamp: a point, W/sr.\n    \
+         // lights: {{ \"lamp\": Point(position: {}, intensity: {}) }},\n\
+         {})\n",
+        to_ron("front", &camera),
+        vector(rounded_to(camera.position, scale_of(&camera))),
+        number(4.0 * (camera.position - camera.look_at).length_squared()),
+        materials(alone),
+    )
+}
+
+/// The changes that may be made to materials: each as it is, behind `//`.
+fn materials(alone: &SceneDescription) -> String {
+    let mut text = String::from(
+        "    // Materials as their library has them: take the // away, and change them.\n    materials: {\n",
+    );
+    for (key, material) in &alone.materials {
+        let name = key.split_once(':').map_or(key.as_str(), |(_, name)| name);
+        let line = format!("        // {name:?}: ({}),", fields(material));
+        let kind = format!("  // {}", material.appearance().kind);
+        text += &line;
+        text += if line.len() + kind.len() <= WIDE { &kind } else { "" };
+        text += "\n";
+    }
+    text + "    },\n"
+}
+
+/// What a scene file would say to have a material as it is, but for its maps.
+fn fields(material: &MtlMaterial) -> String {
+    let (mut own, mut plain) = (material.clone(), MtlMaterial::default());
+    let mut fields = Vec::new();
+    for key in KEYS {
+        let (value, usual) = match key.value {
+            Value::Colour(_, at) => (colour(*at(&mut own)), colour(*at(&mut plain))),
+            Value::Number(_, at) => (at(&mut own).to_string(), at(&mut plain).to_string()),
+            Value::Optional(_, at) => (optional(*at(&mut own)), optional(*at(&mut plain))),
+            Value::Switch(at) => (at(&mut own).to_string(), at(&mut plain).to_string()),
+            Value::Whole(_, at) => (at(&mut own).to_string(), at(&mut plain).to_string()),
+            Value::Map(..) => continue,
+        };
+        if value != usual || ["kd", "ks", "ns"].contains(&key.scene) {
+            fields.push(format!("{}: {value}", key.scene));
+        }
+    }
+    fields.join(", ")
+}
+
+fn colour(value: Vec3) -> String {
+    format!("({}, {}, {})", value.x, value.y, value.z)
+}
+
+fn optional(value: Option<f32>) -> String {
+    value.map_or("None".to_owned(), |value| value.to_string())
+}
+
+fn vector(v: DVec3) -> String {
+    format!("({}, {}, {})", v.x, v.y, v.z)
+}
+
+/// Three digits of a number.
+fn number(value: f64) -> String {
+    let unit = 10f64.powf((value.abs().max(1e-30).log10().floor() - 2.0).clamp(-300.0, 300.0));
+    rounded_to(DVec3::splat(value), unit).x.to_string()
+}
+
+/// A camera whose numbers are as short as they may be: no more than a thousandth of its distance is lost.
+fn rounded(camera: &Camera) -> Camera {
+    let unit = scale_of(camera);
+    Camera { position: rounded_to(camera.position, unit), look_at: rounded_to(camera.look_at, unit), ..*camera }
+}
+
+/// The power of ten below a thousandth of the distance that a camera looks at.
+fn scale_of(camera: &Camera) -> f64 {
+    10f64.powf(((camera.position - camera.look_at).length().max(1e-30).log10() - 3.0).floor())
+}
+
+/// A vector at whole multiples of a power of ten.
+fn rounded_to(v: DVec3, unit: f64) -> DVec3 {
+    // Divided by a whole number where that is one, so that no digits follow.
+    let at = |x: f64| if unit < 1.0 { (x / unit).round() / (1.0 / unit).round() } else { (x / unit).round() * unit };
+    DVec3::new(at(v.x), at(v.y), at(v.z)) + DVec3::ZERO
+}
