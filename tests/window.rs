@@ -11,6 +11,7 @@ mod keys;
 #[cfg(target_os = "linux")]
 mod lens;
 mod live;
+mod magnifier;
 mod maps;
 mod navigate;
 mod pace;
@@ -20,5 +21,7 @@ mod person;
 #[cfg(target_os = "linux")]
 mod room;
 mod session;
+#[cfg(target_os = "linux")]
+mod states;
 #[cfg(target_os = "linux")]
 mod xvfb;

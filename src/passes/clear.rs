@@ -9,7 +9,7 @@ pub static CLEAR: Pass = Pass {
     module: "passes/clear",
     entry: "clear",
     bindings: &[Binding::params("ClearParams"), Binding::write("words", "array<u32>")],
-    makes: &[Makes::Tree, Makes::Film],
+    makes: &[Makes::Tree],
     twin: Twin::None("one value in every word needs no second opinion"),
 };
 

@@ -6,6 +6,7 @@
 mod clear;
 pub mod extend;
 pub mod film;
+pub mod lattice;
 pub mod lint;
 mod pass;
 mod recording;

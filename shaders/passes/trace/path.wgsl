@@ -393,7 +393,8 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let extent = scene_extent(params.root);
-    var state = begin(id.xy + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
+    let step = id.xy << vec2<u32>(params.column_shift, params.row_shift);
+    var state = begin(step + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
     @if(lights || sky_light) {
         // Segments and shadow rays take turns in one loop, so that traversal is compiled once.
         var ray = segment_ray(state);

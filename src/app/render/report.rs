@@ -83,6 +83,7 @@ impl RenderSummary<'_> {
             "roulette": scene.render.roulette,
             "energy": scene.render.energy.variant(),
             "exposure": scene.film.exposure,
+            "tone": scene.film.tone.name(),
             "repeat": self.described().repeat(),
             "interrupted": self.interrupted,
             "seconds": {

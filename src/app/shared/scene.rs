@@ -58,6 +58,11 @@ impl SceneFlags {
         Ok(Opened { path, description, files: loaded.files })
     }
 
+    /// Whether the command line says how many samples a pixel is to get.
+    pub fn gives_samples(&self) -> bool {
+        self.settings.gives("spp") || self.define.iter().any(|define| define.path == "render.spp")
+    }
+
     /// The shaders to draw with.
     pub fn library(&self) -> Result<Library, ShaderError> {
         match self.shader_folder() {
