@@ -20,7 +20,7 @@ const LOWER_W: u32 = 0x77;
 const ONE: u32 = 0x31;
 
 /// Processor time that two ticks of the system's clock, at either end of a span, may add. A single frame takes more.
-const TICKS: Duration = Duration::from_millis(20);
+pub const TICKS: Duration = Duration::from_millis(20);
 
 /// Samples a pixel: the window has to be finished to be compared.
 const SPP: &str = "6";
@@ -149,7 +149,7 @@ impl Person {
     }
 
     /// Processor time of the process so far, all threads together.
-    fn taken(&self) -> Duration {
+    pub fn taken(&self) -> Duration {
         processor_time(self.process.id()).unwrap()
     }
 

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use glam::UVec2;
 use lucerna::passes::lattice::{COARSEST, corners};
 
-use super::person::Person;
+use super::person::{Person, TICKS};
 use super::xvfb::{Screenshot, await_some};
 use crate::support;
 
@@ -26,31 +26,38 @@ fn spread(whole: &Screenshot, level: u32) -> Screenshot {
     Screenshot { pixels: pixels.collect(), ..*whole }
 }
 
-/// Looks until the film is finished. Returns all that was seen, without repetitions; the last is the finished picture.
-fn watch(person: &Person, finished: impl Fn() -> bool) -> Vec<Screenshot> {
+/// Looks until the window has nothing left to do: its title is no sign, which follows later. Returns all that was seen, without
+/// repetitions; the last is the finished picture.
+fn watch(person: &Person) -> Vec<Screenshot> {
     let mut seen = vec![person.look()];
-    await_some(person.process.id(), "the finished film", || {
-        let over = finished();
+    let (mut since, mut taken) = (Instant::now(), person.taken());
+    loop {
         let look = person.look();
         if seen.last() != Some(&look) {
             seen.push(look);
         }
-        over.then_some(())
-    });
-    seen
+        if since.elapsed() >= SPAN {
+            let now = person.taken();
+            if now - taken <= TICKS {
+                return seen;
+            }
+            (since, taken) = (Instant::now(), now);
+        }
+    }
 }
+
+/// The window is at rest if it took next to no processor time for so long.
+const SPAN: Duration = Duration::from_millis(1500);
 
 #[test]
 fn every_frame_is_of_one_state() {
     let person = Person::sized("560x420", Some("1"));
-    let is_done = || person.display.title(person.window).contains("1 of 1 spp");
-    let mut before = watch(&person, is_done).pop().unwrap();
+    let mut before = watch(&person).pop().unwrap();
     let mut levels = Vec::new();
     for key in [LOWER_F, ONE, LOWER_F] {
         person.display.key(key);
-        // The title says that it is done until the new film has begun.
-        person.see("another picture", |look| *look != before);
-        let seen = watch(&person, is_done);
+        let seen = watch(&person);
+        assert!(seen.last() != Some(&before), "the key changed nothing");
         let after = seen.last().unwrap();
         for look in &seen {
             let level = (0..=COARSEST).find(|level| spread(after, *level) == *look);
