@@ -12,6 +12,7 @@ use lucerna::layout::trace::{
 };
 use lucerna::passes::Recording;
 use lucerna::passes::film;
+use lucerna::passes::lattice::Lattice;
 
 use crate::support;
 
@@ -46,7 +47,7 @@ fn add(rig: &mut Runtime, params: &TraceParams, first_sample: u32, samples: &[Ra
     rig.upload("radiance", samples).unwrap();
     let params = TraceParams { first_sample, layers: samples.len() as u32 / pixels(params), ..*params };
     let mut recording = Recording::default();
-    film::record_accumulate(&mut recording, &params, exponent, 0);
+    film::record_accumulate(&mut recording, &params, exponent, &params);
     rig.play(&recording).unwrap();
 }
 
@@ -56,8 +57,8 @@ fn read(rig: &Runtime, params: &TraceParams) -> (Vec<FilmPixel>, FilmCounters) {
 
 fn twin(params: &TraceParams, samples: &[RadianceSample], exponent: i32) -> (Vec<FilmPixel>, Counted) {
     let mut film = vec![FilmPixel::default(); pixels(params) as usize];
-    let params =
-        film::accumulate_params(&TraceParams { layers: samples.len() as u32 / pixels(params), ..*params }, exponent, 0);
+    let batch = TraceParams { layers: samples.len() as u32 / pixels(params), ..*params };
+    let params = film::accumulate_params(&batch, exponent, params);
     let counted = accumulate(&mut film, samples, &params);
     (film, counted)
 }
@@ -148,6 +149,45 @@ fn no_cut_changes_a_bit() {
     for (film, counters) in &films {
         assert!(film == &films[0].0, "a cut changed the film");
         assert_eq!(rays(counters), rays(&films[0].1));
+    }
+}
+
+#[test]
+fn a_batch_of_some_pixels_equals_the_twin_and_touches_no_other() {
+    let mut rig = support::rig();
+    let whole = TraceParams { window_x: 5, window_y: 3, film_width: 70, ..window(50, 20) };
+    for (first, shift) in [((0, 0), (3, 2)), ((4, 0), (3, 3)), ((49, 19), (0, 1)), ((1, 7), (1, 0))] {
+        let lattice = Lattice { first: first.into(), shift: shift.into() };
+        let size = lattice.size(UVec2::new(50, 20));
+        let batch = TraceParams {
+            window_x: whole.window_x + lattice.first.x,
+            window_y: whole.window_y + lattice.first.y,
+            window_width: size.x,
+            window_height: size.y,
+            column_shift: lattice.shift.x,
+            row_shift: lattice.shift.y,
+            layers: 3,
+            ..whole
+        };
+        let samples = samples((pixels(&batch) * 3) as usize, 20.0);
+        reset(&mut rig, &whole);
+        rig.upload("radiance", &samples).unwrap();
+        let mut recording = Recording::default();
+        film::record_accumulate(&mut recording, &batch, 40, &whole);
+        rig.play(&recording).unwrap();
+        let (film, counters) = read(&rig, &whole);
+        let mut right = vec![FilmPixel::default(); pixels(&whole) as usize];
+        let counted = accumulate(&mut right, &samples, &film::accumulate_params(&batch, 40, &whole));
+        assert!(film == right, "{lattice:?}");
+        assert_eq!(rays(&counters), counted.rays);
+        assert!(counted.bad.len() <= BAD_LOG as usize);
+        assert_eq!(sorted(counters.log[..counted.bad.len()].to_vec()), sorted(counted.bad));
+        for (at, pixel) in (0u32..).map(|i| UVec2::new(i % 50, i / 50)).zip(&film) {
+            let on_it = at.cmpge(lattice.first).all()
+                && (((at - lattice.first) >> lattice.shift) << lattice.shift) + lattice.first == at;
+            let count: u32 = pixel.halves.iter().map(|half| half.count + half.bad).sum();
+            assert_eq!(count, if on_it { 3 } else { 0 }, "{at} of {lattice:?}");
+        }
     }
 }
 

@@ -30,6 +30,7 @@ mod glass;
 mod intersect;
 mod judge;
 mod keys;
+mod lattice;
 mod layering;
 mod layout;
 mod libraries;

@@ -4,11 +4,13 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use glam::UVec2;
 use lucerna::gpu::checked_entry;
 use lucerna::layout::sort::{SORT_FEW_TILES, SORT_TILE};
 use lucerna::layout::trace::TraceParams;
 use lucerna::layout::tree::Triangle;
 use lucerna::layout::view::ViewParams;
+use lucerna::passes::lattice::Lattice;
 use lucerna::passes::table::TABLE;
 use lucerna::passes::tree::PLAN;
 use lucerna::passes::{Makes, Recording, Twin, debug, film, trace, view};
@@ -83,13 +85,16 @@ fn recordings(purpose: Makes) -> Vec<Recording> {
             vec![record(&|recording| {
                 film::record_reset(recording, 1);
                 trace::record(recording, &params);
-                film::record_accumulate(recording, &params, 0, 0);
+                film::record_accumulate(recording, &params, 0, &params);
             })]
         }
         Makes::Picture => {
             let trace_params = TraceParams { window_width: 1, window_height: 1, ..TraceParams::default() };
             vec![record(&|recording| {
-                film::record_display(recording, 1, 0, 0.0);
+                film::record_display(
+                    recording,
+                    &film::display_params(UVec2::ONE, Lattice::default(), 0, film::Look::default()),
+                );
                 view::record(recording, &ViewParams { trace_params, ..ViewParams::default() });
                 debug::record(recording, &TraceParams { layers: 1, ..trace_params });
             })]

@@ -11,6 +11,7 @@ mod keys;
 #[cfg(target_os = "linux")]
 mod lens;
 mod live;
+mod magnifier;
 mod maps;
 mod navigate;
 #[cfg(target_os = "linux")]
@@ -23,5 +24,7 @@ mod person;
 #[cfg(target_os = "linux")]
 mod room;
 mod session;
+#[cfg(target_os = "linux")]
+mod states;
 #[cfg(target_os = "linux")]
 mod xvfb;

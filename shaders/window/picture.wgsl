@@ -1,12 +1,10 @@
 // The picture on a window: nearest pixels, black around it. Drawn, not dispatched, so there is no row in the pass table.
-// Both pictures hold sRGB bytes, r in the lowest, and go to the window as they are.
+// It holds sRGB bytes, r in the lowest, which go to the window as they are.
 
 import package::gen::{WindowParams};
 
 @group(0) @binding(0) var<storage, read> params: WindowParams;
 @group(0) @binding(1) var<storage, read> picture: array<u32>;
-// The last picture that was whole.
-@group(0) @binding(2) var<storage, read> last: array<u32>;
 
 // One triangle over the whole window.
 @vertex
@@ -16,24 +14,12 @@ fn corner(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
     return vec4<f32>(x, y, 0.0, 1.0);
 }
 
-// The pixel of a picture at a place from 0 to 1.
-fn nearest(place: vec2<f32>, size: vec2<u32>) -> vec2<u32> {
-    return min(vec2<u32>(place * vec2<f32>(size)), size - 1u);
-}
-
 @fragment
 fn colour(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
     let place = (at.xy - params.origin) / params.extent;
-    if (any(place < vec2<f32>(0.0)) || any(place >= vec2<f32>(1.0))) {
+    if (any(place < vec2<f32>(0.0)) || any(place >= vec2<f32>(1.0)) || params.size.x == 0u) {
         return vec4<f32>(0.0, 0.0, 0.0, 1.0);
     }
-    let pixel = nearest(place, params.size);
-    if (pixel.y < params.rows) {
-        return unpack4x8unorm(picture[pixel.y * params.size.x + pixel.x]);
-    }
-    if (params.last_size.x == 0u) {
-        return vec4<f32>(0.0, 0.0, 0.0, 1.0);
-    }
-    let old = nearest(place, params.last_size);
-    return unpack4x8unorm(last[old.y * params.last_size.x + old.x]);
+    let pixel = min(vec2<u32>(place * vec2<f32>(params.size)), params.size - 1u);
+    return unpack4x8unorm(picture[pixel.y * params.size.x + pixel.x]);
 }

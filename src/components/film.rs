@@ -12,6 +12,8 @@ pub struct Film {
     pub crop: Option<Crop>,
     /// Stops: the picture is multiplied by 2^exposure before it is shown.
     pub exposure: f32,
+    /// How what is brighter than white is shown.
+    pub tone: Tone,
 }
 
 impl Film {
@@ -26,8 +28,20 @@ impl Film {
 
 impl Default for Film {
     fn default() -> Self {
-        Self { size: UVec2::splat(512), crop: None, exposure: 0.0 }
+        Self { size: UVec2::splat(512), crop: None, exposure: 0.0, tone: Tone::None }
     }
+}
+
+/// A curve from exposed light to what a display can show.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tone {
+    /// What is brighter than white is white, channel by channel.
+    #[default]
+    None,
+    /// AgX (Sobotka 2022): 16.5 stops, in which bright colours fade to white as on film.
+    Agx,
+    /// Khronos PBR Neutral (2024): colours are what they are up to 0.8, and bright ones are compressed.
+    Neutral,
 }
 
 /// A rectangle of pixels: `min` inside, `max` just outside, origin at the top left.

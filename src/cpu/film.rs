@@ -24,23 +24,26 @@ pub fn accumulate(film: &mut [FilmPixel], radiance: &[RadianceSample], params: &
         let sample = params.first_sample + layer;
         for (pixel, from) in radiance[layer as usize * pixels..][..pixels].iter().enumerate() {
             counted.rays += u64::from(from.info & !SAMPLE_BAD);
-            let half = &mut film[params.first_pixel as usize + pixel].halves[(sample & 1) as usize];
+            let place = place_of(pixel as u32, params);
+            let index = params.first_pixel + place.y * params.row + place.x;
+            let half = &mut film[index as usize].halves[(sample & 1) as usize];
             let fault = match from.info & SAMPLE_BAD == 0 {
                 true => add(half, from, params.exponent).map(|kind| (kind, UNKNOWN_BOUNCE, NO_MATERIAL)),
                 false => Some((from.rgb.x as u32, from.rgb.y as u32, from.rgb.z as u32)),
             };
             let Some((kind, bounce, material)) = fault else { continue };
             half.bad += 1;
-            let pixel = film_index(pixel as u32, params);
+            let pixel = (place.y + params.window_y) * params.film_width + place.x + params.window_x;
             counted.bad.push(BadSample { pixel, sample, bounce, material, kind });
         }
     }
     counted
 }
 
-fn film_index(pixel: u32, params: &AccumulateParams) -> u32 {
-    let (x, y) = (pixel % params.window_width, pixel / params.window_width);
-    (y + params.window_y) * params.film_width + x + params.window_x
+/// Where a pixel of the batch is, from its first one.
+fn place_of(pixel: u32, params: &AccumulateParams) -> UVec2 {
+    UVec2::new(pixel % params.window_width, pixel / params.window_width)
+        << UVec2::new(params.column_shift, params.row_shift)
 }
 
 /// Adds a sample, or says what is wrong with it.

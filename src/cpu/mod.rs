@@ -21,6 +21,7 @@ pub mod sort;
 pub mod sun;
 pub mod texture;
 pub mod textured;
+pub mod tone;
 pub mod traverse;
 pub mod tree;
 pub mod tree_check;

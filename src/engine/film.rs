@@ -4,12 +4,14 @@ use bevy_ecs::prelude::*;
 use glam::UVec2;
 
 use crate::components::Crop;
+use crate::cpu::display;
 use crate::cpu::film::{film_mean, half_mean, pixel_mean, relative_error};
 use crate::layout::film::FilmPixel;
 use crate::layout::view::ViewMode;
+use crate::passes::lattice::Lattice;
 use crate::passes::{Recording, film};
 use crate::systems::EngineError;
-use crate::systems::resources::{Device, Exposure, FilmProgress, Shot, Viewed};
+use crate::systems::resources::{Device, Displayed, FilmProgress, Shot, Viewed};
 
 /// The film, read back. Pixels go row by row from the top of the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +49,7 @@ pub fn read_picture(world: &World) -> Result<Option<Vec<[u8; 4]>>, EngineError> 
 /// Reads the film back; shows it first, if its picture is an older one or not what is viewed.
 pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
     let before = progress(world);
-    let (shot, exposure) = (world.resource::<Shot>(), world.resource::<Exposure>().0);
+    let (shot, look) = (world.resource::<Shot>(), world.resource::<Displayed>().0);
     let (shot, exponent) = (shot.params, shot.exponent);
     let size = UVec2::new(shot.film_width, shot.film_height);
     let min = UVec2::new(shot.window_x, shot.window_y);
@@ -66,7 +68,9 @@ pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
         film::record_reset(&mut recording, count);
     }
     if is_viewed || before.shown != Some(ViewMode::Beauty) || !before.begun {
-        film::record_display(&mut recording, count, exponent, exposure).bind("picture", held);
+        let extent = UVec2::new(shot.window_width, shot.window_height);
+        let params = film::display_params(extent, before.shows().unwrap_or_default(), exponent, look);
+        film::record_display(&mut recording, &params).bind("picture", held);
     }
     device.play(&recording)?;
     let pixels: Vec<FilmPixel> = device.read_some("film", count as usize)?;
@@ -88,6 +92,17 @@ pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
         picture,
         pixels,
     })
+}
+
+/// How far the picture's codes are from those of the true film, by the film's own two halves.
+pub fn picture_error(world: &World) -> Result<f64, EngineError> {
+    let (shot, look) = (world.resource::<Shot>(), world.resource::<Displayed>().0);
+    let size = shot.size();
+    if size.min_element() == 0 || !progress(world).begun {
+        return Err(EngineError::EmptyFilm);
+    }
+    let pixels: Vec<FilmPixel> = world.resource::<Device>().0.read_some("film", (size.x * size.y) as usize)?;
+    Ok(display::error(&pixels, &film::display_params(size, Lattice::default(), shot.exponent, look)))
 }
 
 /// Reads the film's mean radiance alone; black where nothing was traced.

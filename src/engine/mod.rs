@@ -20,12 +20,13 @@ pub use inspect::{Inspected, LookedUp, Seen};
 pub use report::Report;
 
 use crate::components::{self, Camera, Film, Render};
-use crate::gpu::{Code, Drawn, Fit, Gpu, Paint, Runtime, Shown, Surface};
+use crate::gpu::{Code, Drawn, Fit, Gpu, Paint, Runtime, Surface};
 use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription};
 use crate::shader::{Library, Parameter};
 use crate::systems::resources::{
-    Budget, CompileListener, Device, Frame, Live, SceneGeometry, Shot, Sky, SkySource, Target, Textures, Viewed,
+    Budget, CompileListener, Device, Endless, FilmProgress, Frame, Live, SceneGeometry, Shot, Sky, SkySource, Target,
+    Textures, Viewed,
 };
 use crate::systems::{self, Entered, Fault, Reload};
 use crate::watch::{Problem, ReloadEvent, Sources, WatchError};
@@ -41,7 +42,7 @@ pub struct Progress {
     pub samples: u64,
     /// Dispatches of this step.
     pub dispatches: u64,
-    /// Every pixel has all its samples.
+    /// Every pixel has all its samples, or is to get no more.
     pub finished: bool,
 }
 
@@ -172,6 +173,26 @@ impl Engine {
         systems::restart_film(&mut self.world);
     }
 
+    /// Has films go on from the next step on for as long as they are let, or only to the samples that their settings say.
+    pub fn set_endless(&mut self, on: bool) {
+        self.world.resource_mut::<Endless>().set_if_neq(Endless(on));
+    }
+
+    /// Whether films go on for as long as they are let.
+    pub fn is_endless(&self) -> bool {
+        self.world.resource::<Endless>().0
+    }
+
+    /// Leaves the film at the samples it has, until it starts anew; or lets it go on.
+    pub fn rest(&mut self, on: bool) {
+        self.edit(|world| world.query::<&mut FilmProgress>().iter_mut(world).for_each(|mut film| film.rests = on));
+    }
+
+    /// The error that the picture of the film is estimated to have, root mean square, in codes of 8 bits.
+    pub fn picture_error(&self) -> Result<f64, EngineError> {
+        film::picture_error(&self.world)
+    }
+
     /// What one pixel of the picture holds and sees; none if there is no such pixel, or nothing was traced yet.
     pub fn inspect(&mut self, pixel: UVec2) -> Result<Option<Inspected>, EngineError> {
         inspect::inspect(&mut self.world, pixel)
@@ -215,11 +236,9 @@ impl Engine {
 
     /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.
     pub fn draw(&self, surface: &mut Surface, fit: Fit, paint: Paint) -> Result<Drawn, EngineError> {
-        let (size, progress) = (self.window_size(), film::progress(&self.world));
-        // All of a view; of the film, the rows that have a sample.
-        let is_view = progress.shown.is_some_and(|mode| mode != ViewMode::Beauty);
-        let rows = if is_view { size.y } else { progress.rows_traced(size.y) };
-        Ok(surface.draw(&self.world.resource::<Device>().0, Shown { size, rows }, fit, paint)?)
+        // Of a film that starts anew there is nothing yet, or what a step left that failed.
+        let size = film::progress(&self.world).shown.map(|_| self.window_size());
+        Ok(surface.draw(&self.world.resource::<Device>().0, size, fit, paint)?)
     }
 
     /// Runs the schedule once: takes up changes, and adds samples for about `budget`.
@@ -239,7 +258,7 @@ impl Engine {
             target,
             samples: self.world.resource::<Spent>().samples - samples,
             dispatches: self.dispatches().values().sum::<u64>() - before,
-            finished: spp >= target,
+            finished: spp >= target || film::progress(&self.world).rests,
         })
     }
 

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use bevy_ecs::prelude::*;
-use glam::UVec2;
 
 use super::film;
 use crate::gpu::{GpuTable, PassTiming};
@@ -47,7 +46,7 @@ pub fn read_report(world: &mut World) -> Result<Report, EngineError> {
     let triangles = world.resource::<GpuTable<Triangle>>().len() as u32;
     let uses = &world.resource::<Textures>().uses;
     let textures = (uses.len() as u32, uses.iter().map(|used| used.bytes).sum());
-    let UVec2 { x: width, y: height } = world.resource::<Shot>().size();
+    let window = world.resource::<Shot>().size();
     let device = &mut world.resource_mut::<Device>().0;
     let counters = match progress.begun {
         true => device.read_some::<FilmCounters>("counters", 1)?[0],
@@ -60,7 +59,7 @@ pub fn read_report(world: &mut World) -> Result<Report, EngineError> {
         nodes: node_count(triangles),
         textures: textures.0,
         texture_bytes: textures.1,
-        samples: u64::from(width) * (u64::from(progress.samples) * u64::from(height) + u64::from(progress.rows)),
+        samples: progress.traced(window),
         rays: u64::from(counters.rays_hi.0) << 32 | u64::from(counters.rays_lo.0),
         seconds_build: spent.build,
         seconds_trace: spent.trace,

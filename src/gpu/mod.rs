@@ -17,7 +17,7 @@ pub use buffers::Buffers;
 pub use device::{AdapterSummary, Gpu, adapters};
 pub use entry::{checked_entry, features_of};
 pub use error::GpuError;
-pub use picture::{Fit, Shown};
+pub use picture::Fit;
 pub use pipelines::{Code, Compiler, Values};
 pub use runtime::Runtime;
 pub use surface::{Drawn, Paint, Surface, Target};

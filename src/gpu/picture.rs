@@ -1,6 +1,6 @@
-//! Draws the picture to a window, over the last one that was whole.
+//! Draws the picture to a window, or the last one while there is none.
 
-use glam::{UVec2, Vec2};
+use glam::{IVec2, UVec2, Vec2};
 
 use super::{Gpu, GpuError, Runtime};
 use crate::layout::window::WindowParams;
@@ -9,15 +9,6 @@ use crate::shader::{Features, Library, on_large_stack};
 /// The module that draws it.
 const MODULE: &str = "window/picture";
 
-/// What of the `picture` buffer there is to show.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Shown {
-    /// Pixels.
-    pub size: UVec2,
-    /// Rows from the top that show the film as it is; all of them once it has a whole sample.
-    pub rows: u32,
-}
-
 /// How a picture of another shape than the window lies on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fit {
@@ -25,6 +16,8 @@ pub enum Fit {
     Fill,
     /// As large as it gets, in its own shape, with black beside it.
     Letterbox,
+    /// Each pixel as a square of so many window pixels a side, the picture's top left at `origin`.
+    Pixels { scale: u32, origin: IVec2 },
 }
 
 impl Fit {
@@ -34,12 +27,13 @@ impl Fit {
         let extent = match self {
             Fit::Fill => window,
             Fit::Letterbox => picture * (window / picture).min_element(),
+            Fit::Pixels { scale, origin } => return (origin.as_vec2(), picture * scale as f32),
         };
         (0.5 * (window - extent), extent)
     }
 }
 
-/// The pipeline, and a copy of the last picture that was whole: a film that starts anew has no picture for a while.
+/// The pipeline, and a copy of the last picture: a film has none from when it starts anew until a step succeeds.
 pub(super) struct PictureDrawing {
     pipeline: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
@@ -64,7 +58,7 @@ impl PictureDrawing {
             };
             let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                 label: Some(MODULE),
-                entries: &[0, 1, 2].map(storage),
+                entries: &[0, 1].map(storage),
             });
             Self {
                 pipeline: pipeline(gpu, module, &layout, format),
@@ -77,13 +71,15 @@ impl PictureDrawing {
         on_large_stack(|| gpu.guarded("the pipeline that draws the picture", make))
     }
 
-    /// Says what is drawn next, and where.
-    pub fn bind(&self, gpu: &Gpu, runtime: &Runtime, shown: Shown, (origin, extent): (Vec2, Vec2)) -> wgpu::BindGroup {
-        let picture = runtime.buffer("picture");
-        let rows = if picture.is_some() { shown.rows } else { 0 };
-        let params = WindowParams { origin, extent, size: shown.size, last_size: self.last_size, rows, pad: 0 };
+    /// Says what is drawn next on a window of some size: the `picture` buffer, if it holds a picture, of so many pixels; else the last
+    /// one, in its own shape.
+    pub fn bind(&self, gpu: &Gpu, runtime: &Runtime, shown: Option<UVec2>, fit: Fit, window: UVec2) -> wgpu::BindGroup {
+        let picture = shown.and_then(|size| Some((runtime.buffer("picture")?, size, fit)));
+        let (picture, size, fit) = picture.unwrap_or((&self.last, self.last_size, Fit::Letterbox));
+        let (origin, extent) = fit.place(size, window);
+        let params = WindowParams { origin, extent, size };
         gpu.queue.write_buffer(&self.params, 0, bytemuck::bytes_of(&params));
-        let buffers = [&self.params, picture.unwrap_or(&self.last), &self.last];
+        let buffers = [&self.params, picture];
         let entry = |binding: usize| wgpu::BindGroupEntry {
             binding: binding as u32,
             resource: buffers[binding].as_entire_binding(),
@@ -91,7 +87,7 @@ impl PictureDrawing {
         gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some(MODULE),
             layout: &self.layout,
-            entries: &[0, 1, 2].map(entry),
+            entries: &[0, 1].map(entry),
         })
     }
 
@@ -101,20 +97,18 @@ impl PictureDrawing {
         pass.draw(0..3, 0..1);
     }
 
-    /// Keeps a picture that is whole.
-    pub fn keep(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, runtime: &Runtime, shown: Shown) {
-        let bytes = u64::from(shown.size.x) * u64::from(shown.size.y) * 4;
+    /// Keeps a picture, if there is one.
+    pub fn keep(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, runtime: &Runtime, shown: Option<UVec2>) {
+        let size = shown.unwrap_or(UVec2::ZERO);
+        let bytes = u64::from(size.x) * u64::from(size.y) * 4;
         let Some(picture) = runtime.buffer("picture").filter(|picture| bytes > 0 && picture.size() >= bytes) else {
             return;
         };
-        if shown.rows < shown.size.y {
-            return;
-        }
         if self.last.size() < bytes {
             self.last = buffer(gpu, "last picture", bytes);
         }
         encoder.copy_buffer_to_buffer(picture, 0, &self.last, 0, bytes);
-        self.last_size = shown.size;
+        self.last_size = size;
     }
 }
 

@@ -72,7 +72,7 @@ impl Player {
         timer: Option<&mut Timer>,
     ) -> Result<(), GpuError> {
         let calls: Vec<&Call> = recording.calls().collect();
-        if calls.is_empty() {
+        if recording.is_empty() {
             return Ok(());
         }
         let mut given = Vec::with_capacity(calls.len());
@@ -88,7 +88,7 @@ impl Player {
             let bind_group = self.bind(stage.gpu, stage.buffers, call, &pipeline)?;
             ready.push(Ready { call, pipeline, bind_group, offsets });
         }
-        stage.gpu.guarded("a submission", || encode(&stage, &ready, timer))??;
+        stage.gpu.guarded("a submission", || encode(&stage, recording.zeroed(), &ready, timer))??;
         for r in &ready {
             *self.counts.entry(r.call.pass.name).or_default() += 1;
         }
@@ -197,9 +197,20 @@ fn entry(binding: u32, buffer: &wgpu::Buffer, size: u64) -> wgpu::BindGroupEntry
 }
 
 /// All dispatches in one compute pass: a pass for each would cost 15 times more processor time.
-fn encode(stage: &Stage, ready: &[Ready], mut timer: Option<&mut Timer>) -> Result<(), GpuError> {
+fn encode(
+    stage: &Stage,
+    zeroed: &[(&'static str, u64)],
+    ready: &[Ready],
+    mut timer: Option<&mut Timer>,
+) -> Result<(), GpuError> {
     let gpu = stage.gpu;
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    for (name, bytes) in zeroed {
+        let Some((buffer, ..)) = stage.buffers.get(name) else {
+            return Err(GpuError::NoBuffer { pass: "zero", buffer: name });
+        };
+        encoder.clear_buffer(buffer, 0, Some(*bytes));
+    }
     if let Some(timer) = timer.as_deref_mut() {
         timer.begin(gpu, ready.iter().map(|r| r.call.pass.name).collect());
     }

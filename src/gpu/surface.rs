@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::UVec2;
 
 use super::picture::PictureDrawing;
-use super::{Fit, Gpu, GpuError, Runtime, Shown, device};
+use super::{Fit, Gpu, GpuError, Runtime, device};
 use crate::shader::Library;
 
 /// A window to draw on, of any window library.
@@ -89,8 +89,14 @@ impl Surface {
         self.gpu.guarded("the window's surface", || self.surface.configure(&self.gpu.device, &self.configuration))
     }
 
-    /// Draws a frame and presents it.
-    pub fn draw(&mut self, runtime: &Runtime, shown: Shown, fit: Fit, mut paint: Paint) -> Result<Drawn, GpuError> {
+    /// Draws a frame and presents it: the runtime's `picture`, of the size `shown`, or the last one where there is none.
+    pub fn draw(
+        &mut self,
+        runtime: &Runtime,
+        shown: Option<UVec2>,
+        fit: Fit,
+        mut paint: Paint,
+    ) -> Result<Drawn, GpuError> {
         // Taken up whether or not there is a frame: egui sends each texture once, and asserts that none is dropped.
         let freed = std::mem::take(&mut paint.textures.free);
         for (id, deltas) in &std::mem::take(&mut paint.textures.set) {
@@ -138,7 +144,7 @@ impl Surface {
         &mut self,
         texture: &wgpu::SurfaceTexture,
         runtime: &Runtime,
-        shown: Shown,
+        shown: Option<UVec2>,
         fit: Fit,
         paint: &Paint,
     ) -> Result<(), GpuError> {
@@ -147,7 +153,7 @@ impl Surface {
             egui_wgpu::ScreenDescriptor { size_in_pixels: size.to_array(), pixels_per_point: paint.pixels_per_point };
         gpu.guarded("a frame", || {
             let view = texture.texture.create_view(&Default::default());
-            let bound = self.picture.bind(&gpu, runtime, shown, fit.place(shown.size, size));
+            let bound = self.picture.bind(&gpu, runtime, shown, fit, size);
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             let mut commands =
                 self.ui.update_buffers(&gpu.device, &gpu.queue, &mut encoder, &paint.primitives, &screen);

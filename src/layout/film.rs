@@ -51,9 +51,10 @@ gpu_struct! {
     pub struct AccumulateParams {
         /// Whole film's width, for the log.
         pub film_width: u32,
-        /// Rendered window, pixels of the whole film.
+        /// The batch's first pixel, in the whole film.
         pub window_x: u32,
         pub window_y: u32,
+        /// Columns and rows of the batch.
         pub window_width: u32,
         pub window_height: u32,
         /// Film sample of layer 0.
@@ -62,16 +63,30 @@ gpu_struct! {
         pub layers: u32,
         /// Radiance is scaled by 2^exponent.
         pub exponent: i32,
-        /// Where the window's first pixel is in `film`: above 0 where a batch holds some rows of it only.
+        /// Where the batch's first pixel is in `film`.
         pub first_pixel: u32,
+        /// Pixels of a row of `film`.
+        pub row: u32,
+        /// Binary logarithm of the distance between two columns of the batch.
+        pub column_shift: u32,
+        /// The same of rows.
+        pub row_shift: u32,
     }
 
     /// Parameters of the display pass.
     pub struct DisplayParams {
         /// Pixels of the window.
         pub pixels: u32,
+        /// Pixels of a row of it.
+        pub row: u32,
+        /// Binary logarithm of the width of a block, all of which shows the pixel at its top left.
+        pub column_shift: u32,
+        /// The same of its height.
+        pub row_shift: u32,
         /// 2^(exposure - the film's exponent), finite and above 0.
         pub scale: f32,
+        /// A `TONE_` curve.
+        pub tone: u32,
     }
 }
 
@@ -82,6 +97,14 @@ gpu_consts! {
     pub const UNKNOWN_BOUNCE: u32 = 0x00ff_ffff;
     /// Scaled radiance of one sample is below 2^this, 2^16 times the largest emission.
     pub const SAMPLE_BITS: u32 = 56;
+    /// Tone curve: none. What is too bright is white.
+    pub const TONE_NONE: u32 = 0;
+    /// Tone curve: AgX.
+    pub const TONE_AGX: u32 = 1;
+    /// Tone curve: Khronos PBR Neutral.
+    pub const TONE_NEUTRAL: u32 = 2;
+    /// Samples a pixel that a film holds for certain, where none is brighter than the largest emission.
+    pub const MOST_SAMPLES: u32 = 1 << 24;
 }
 
 /// The power of two by which radiance is scaled, so that the largest emission lands in [2^40, 2^41).

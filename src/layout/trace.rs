@@ -151,6 +151,12 @@ gpu_struct! {
         pub focus: f32,
         /// Probability with which a point light of unit power is drawn.
         pub point_density: f32,
+        /// Binary logarithm of the distance between two columns that are traced. `window_width` and `window_height` count what is traced.
+        pub column_shift: u32,
+        /// The same of rows.
+        pub row_shift: u32,
+        pub pad0: u32,
+        pub pad1: u32,
     }
 
     /// One sample of one pixel, as the trace kernel leaves it for the film.

@@ -9,12 +9,7 @@ gpu_struct! {
         pub origin: Vec2,
         /// Size of the picture on the window, window pixels.
         pub extent: Vec2,
-        /// Size of `picture`.
+        /// Size of `picture`; zero if there is none.
         pub size: UVec2,
-        /// Size of `last`; zero if there is none.
-        pub last_size: UVec2,
-        /// Rows of `picture`, from the top, that show something; `last` is seen through the others.
-        pub rows: u32,
-        pub pad: u32,
     }
 }

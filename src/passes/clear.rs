@@ -10,7 +10,7 @@ pub static CLEAR: Pass = Pass {
     entry: "clear",
     features: &[],
     bindings: &[Binding::params("ClearParams"), Binding::write("words", "array<u32>")],
-    makes: &[Makes::Tree, Makes::Film],
+    makes: &[Makes::Tree],
     twin: Twin::None("one value in every word needs no second opinion"),
 };
 

@@ -1,8 +1,11 @@
 //! The film: samples added to 64-bit fixed point, and the film as a picture.
 
+use glam::UVec2;
+
+use super::lattice::Lattice;
 use super::recording::CallBuilder;
 use super::twin::twin;
-use super::{Binding, Makes, Pass, Recording, Size, clear};
+use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::film::{AccumulateParams, DisplayParams, FilmCounters, FilmPixel};
 use crate::layout::trace::TraceParams;
 
@@ -22,7 +25,7 @@ pub static ACCUMULATE: Pass = Pass {
     twin: twin!(film::accumulate),
 };
 
-/// The mean of both halves, exposed, as sRGB in `picture`: r in the lowest byte, a = 255 in the highest.
+/// The mean of both halves, exposed, by a tone curve, as sRGB in `picture`: r in the lowest byte, a = 255 in the highest.
 pub static DISPLAY: Pass = Pass {
     name: "display",
     module: "passes/display/display",
@@ -49,19 +52,20 @@ pub fn buffers(pixels: u64) -> Vec<(&'static str, u64)> {
 
 /// Records that the film of so many pixels starts anew.
 pub fn record_reset(recording: &mut Recording, pixels: u32) {
-    clear(recording, "film", 0, pixels * (size_of::<FilmPixel>() / 4) as u32);
-    clear(recording, "counters", 0, (size_of::<FilmCounters>() / 4) as u32);
+    recording.zero("film", u64::from(pixels) * size_of::<FilmPixel>() as u64);
+    recording.zero("counters", size_of::<FilmCounters>() as u64);
 }
 
-/// Records the adding of what a trace kernel with `trace` left in `radiance`. The first pixel of its window is number
-/// `first_pixel` of the film.
-pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponent: i32, first_pixel: u32) {
+/// Records the adding of what a trace kernel with `trace` left in `radiance`. `window` has the parameters for all of the film's
+/// window.
+pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponent: i32, window: &TraceParams) {
     let pixels = u64::from(trace.window_width) * u64::from(trace.window_height);
-    recording.run(&ACCUMULATE, Size::Items(pixels)).params(&accumulate_params(trace, exponent, first_pixel));
+    recording.run(&ACCUMULATE, Size::Items(pixels)).params(&accumulate_params(trace, exponent, window));
 }
 
-/// Parameters of the accumulate pass after a trace with `trace`.
-pub fn accumulate_params(trace: &TraceParams, exponent: i32, first_pixel: u32) -> AccumulateParams {
+/// Parameters of the accumulate pass after a trace with `trace`, as [`record_accumulate`] has them.
+pub fn accumulate_params(trace: &TraceParams, exponent: i32, window: &TraceParams) -> AccumulateParams {
+    let (x, y) = (trace.window_x - window.window_x, trace.window_y - window.window_y);
     AccumulateParams {
         film_width: trace.film_width,
         window_x: trace.window_x,
@@ -71,17 +75,38 @@ pub fn accumulate_params(trace: &TraceParams, exponent: i32, first_pixel: u32) -
         first_sample: trace.first_sample,
         layers: trace.layers,
         exponent,
-        first_pixel,
+        first_pixel: y * window.window_width + x,
+        row: window.window_width,
+        column_shift: trace.column_shift,
+        row_shift: trace.row_shift,
     }
 }
 
-/// Records the picture of a film of so many pixels; `exposure` in stops.
-pub fn record_display(recording: &mut Recording, pixels: u32, exponent: i32, exposure: f32) -> CallBuilder<'_> {
-    recording.run(&DISPLAY, Size::Items(u64::from(pixels))).params(&display_params(pixels, exponent, exposure))
+/// How a film is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Look {
+    /// Stops: the picture is multiplied by 2^exposure.
+    pub exposure: f32,
+    /// A `TONE_` curve of that.
+    pub tone: u32,
 }
 
-/// Parameters of the display pass.
-pub fn display_params(pixels: u32, exponent: i32, exposure: f32) -> DisplayParams {
-    let scale = 2f64.powf(f64::from(exposure) - f64::from(exponent));
-    DisplayParams { pixels, scale: (scale as f32).clamp(f32::MIN_POSITIVE, f32::MAX) }
+/// Records the picture of a film.
+pub fn record_display<'a>(recording: &'a mut Recording, params: &DisplayParams) -> CallBuilder<'a> {
+    let size = UVec2::new(params.row, params.pixels / params.row.max(1));
+    let blocks = Lattice { first: UVec2::ZERO, shift: UVec2::new(params.column_shift, params.row_shift) };
+    recording.run(&DISPLAY, Size::Items(blocks.pixels(size))).params(params)
+}
+
+/// Parameters of the display pass for a film of such a size, where each pixel of `shown` stands for its block.
+pub fn display_params(size: UVec2, shown: Lattice, exponent: i32, look: Look) -> DisplayParams {
+    let scale = 2f64.powf(f64::from(look.exposure) - f64::from(exponent));
+    DisplayParams {
+        pixels: size.x * size.y,
+        row: size.x,
+        column_shift: shown.shift.x,
+        row_shift: shown.shift.y,
+        scale: (scale as f32).clamp(f32::MIN_POSITIVE, f32::MAX),
+        tone: look.tone,
+    }
 }

@@ -7,6 +7,7 @@ mod clear;
 pub mod debug;
 pub mod extend;
 pub mod film;
+pub mod lattice;
 pub mod lint;
 mod pass;
 mod recording;

@@ -1,10 +1,11 @@
-//! A list of dispatches that knows no device.
+//! A list of dispatches, and of buffers that are to be zero before them, that knows no device.
 
 use super::{Access, Pass};
 
 /// Dispatches in order. Each sees all that the ones before it wrote.
 #[derive(Clone, Debug, Default)]
 pub struct Recording {
+    zeroed: Vec<(&'static str, u64)>,
     calls: Vec<Call>,
 }
 
@@ -44,6 +45,18 @@ impl Size {
 }
 
 impl Recording {
+    /// Has the first `bytes` of a buffer, a multiple of four, set to zero before the first dispatch: a device fills memory sooner than
+    /// its kernels can.
+    pub fn zero(&mut self, buffer: &'static str, bytes: u64) {
+        debug_assert!(self.calls.is_empty(), "what is recorded already comes later than this");
+        self.zeroed.push((buffer, bytes));
+    }
+
+    /// Buffers that are zero before the first dispatch, and how many bytes of them.
+    pub fn zeroed(&self) -> &[(&'static str, u64)] {
+        &self.zeroed
+    }
+
     /// Appends a dispatch; one of size zero is dropped. Buffers are bound by the bindings' names unless renamed.
     pub fn run(&mut self, pass: &'static Pass, size: Size) -> CallBuilder<'_> {
         self.calls.push(Call { pass, size, params: Vec::new(), renamed: Vec::new() });
@@ -57,11 +70,16 @@ impl Recording {
 
     /// Whether nothing will be issued.
     pub fn is_empty(&self) -> bool {
-        self.calls().next().is_none()
+        self.zeroed.is_empty() && self.calls().next().is_none()
     }
 
     /// Appends what another recording holds.
     pub fn extend(&mut self, other: Recording) {
+        debug_assert!(
+            self.calls.is_empty() || other.zeroed.is_empty(),
+            "what is recorded already comes later than this"
+        );
+        self.zeroed.extend(other.zeroed);
         self.calls.extend(other.calls);
     }
 }

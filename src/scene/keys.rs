@@ -55,8 +55,8 @@ pub enum Colour {
 pub struct Range {
     pub least: f32,
     pub most: f32,
-    /// Where the panel's slider ends, and whether it goes by powers of ten.
-    pub slider: f32,
+    /// Where the panel's slider begins and ends, and whether it goes by powers of ten.
+    pub slider: [f32; 2],
     pub logarithmic: bool,
 }
 
@@ -66,9 +66,9 @@ const BRIGHTEST: f32 = 1e6;
 /// Other words for statements.
 const ALIASES: &[(&str, &str)] = &[("bump", "map_Bump"), ("map_norm", "norm")];
 
-const UNIT: Range = Range { least: 0.0, most: 1.0, slider: 1.0, logarithmic: false };
-const EXPONENT: Range = Range { least: 0.0, most: 1e5, slider: 1e5, logarithmic: true };
-const INDEX: Range = Range { least: 1.0, most: 100.0, slider: 3.0, logarithmic: false };
+const UNIT: Range = Range { least: 0.0, most: 1.0, slider: [0.0, 1.0], logarithmic: false };
+const EXPONENT: Range = Range { least: 0.0, most: 1e5, slider: [1.0, 1e4], logarithmic: true };
+const INDEX: Range = Range { least: 1.0, most: 100.0, slider: [1.0, 3.0], logarithmic: false };
 
 /// All keys, in the order in which they are shown.
 pub static KEYS: &[Key] = &[
@@ -273,7 +273,8 @@ impl Colour {
 impl Range {
     /// The values that the panel's slider reaches.
     pub fn of_slider(self) -> RangeInclusive<f32> {
-        self.least..=self.slider
+        let [begin, end] = self.slider;
+        begin..=end
     }
 }
 

@@ -5,7 +5,7 @@
 
 use glam::UVec2;
 
-use crate::components::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Sampler, TextureFilter};
+use crate::components::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Sampler, TextureFilter, Tone};
 
 /// Everything that the table is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -82,7 +82,7 @@ pub static SETTINGS: &[Setting] = &[
         group: Group::Render,
         value: Value::Whole { least: 1, most: u32::MAX, at: |s| &mut s.render.spp },
         flag: Some(Flag { name: "spp", value: "N", help: "Samples a pixel" }),
-        panel: Some(Panel { line: 1, label: "samples" }),
+        panel: Some(Panel { line: 2, label: "samples" }),
     },
     Setting {
         field: "size",
@@ -111,21 +111,21 @@ pub static SETTINGS: &[Setting] = &[
         group: Group::Render,
         value: Value::Whole { least: 0, most: u32::MAX, at: |s| &mut s.render.seed },
         flag: Some(Flag { name: "seed", value: "N", help: "Seed of all random numbers" }),
-        panel: Some(Panel { line: 7, label: "seed" }),
+        panel: Some(Panel { line: 8, label: "seed" }),
     },
     Setting {
         field: "integrator",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.integrator),
         flag: Some(Flag { name: "integrator", value: "INTEGRATOR", help: "How light is estimated" }),
-        panel: Some(Panel { line: 2, label: "integrator" }),
+        panel: Some(Panel { line: 3, label: "integrator" }),
     },
     Setting {
         field: "sampler",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.sampler),
         flag: Some(Flag { name: "sampler", value: "SAMPLER", help: "Where the random numbers of a sample come from" }),
-        panel: Some(Panel { line: 3, label: "sampler" }),
+        panel: Some(Panel { line: 4, label: "sampler" }),
     },
     Setting {
         field: "max_depth",
@@ -136,7 +136,7 @@ pub static SETTINGS: &[Setting] = &[
             value: "N",
             help: "Segments of the longest path: 1 sees emitters only, up to 1024",
         }),
-        panel: Some(Panel { line: 4, label: "longest path" }),
+        panel: Some(Panel { line: 5, label: "longest path" }),
     },
     Setting {
         field: "roulette",
@@ -147,28 +147,28 @@ pub static SETTINGS: &[Setting] = &[
             value: "ROULETTE",
             help: "End paths of little throughput early (unbiased)",
         }),
-        panel: Some(Panel { line: 5, label: "roulette" }),
+        panel: Some(Panel { line: 6, label: "roulette" }),
     },
     Setting {
         field: "energy",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.energy),
         flag: None,
-        panel: Some(Panel { line: 6, label: "energy" }),
+        panel: Some(Panel { line: 7, label: "energy" }),
     },
     Setting {
         field: "texture_filter",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.texture_filter),
         flag: Some(Flag { name: "texture-filter", value: "FILTER", help: "How much of a texture a lookup takes in" }),
-        panel: Some(Panel { line: 8, label: "texture filter" }),
+        panel: Some(Panel { line: 9, label: "texture filter" }),
     },
     Setting {
         field: "texture",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.diffuse_map),
         flag: None,
-        panel: Some(Panel { line: 9, label: "map_Kd" }),
+        panel: Some(Panel { line: 10, label: "map_Kd" }),
     },
     Setting {
         field: "texture_size",
@@ -187,6 +187,13 @@ pub static SETTINGS: &[Setting] = &[
         value: Value::Stops { most: MOST_STOPS, slider: 8.0, at: |s| &mut s.film.exposure },
         flag: Some(Flag { name: "exposure", value: "STOPS", help: "Brighten by so many stops, -64 to 64" }),
         panel: Some(Panel { line: 0, label: "exposure" }),
+    },
+    Setting {
+        field: "tone",
+        group: Group::Film,
+        value: Value::Choice(|s| &mut s.film.tone),
+        flag: Some(Flag { name: "tone", value: "CURVE", help: "How what is brighter than white is shown" }),
+        panel: Some(Panel { line: 1, label: "tone" }),
     },
 ];
 
@@ -238,6 +245,24 @@ impl Named for Integrator {
             variant: "Bsdf",
             name: "bsdf",
             help: "Directions from the BSDF alone; light is found by hitting it, where it can be hit",
+        },
+    ];
+}
+
+impl Named for Tone {
+    const WORDS: &'static [Word<Self>] = &[
+        Word { value: Self::None, variant: "None", name: "none", help: "White, channel by channel" },
+        Word {
+            value: Self::Agx,
+            variant: "Agx",
+            name: "agx",
+            help: "AgX: 16.5 stops, in which bright colours fade to white as on film",
+        },
+        Word {
+            value: Self::Neutral,
+            variant: "Neutral",
+            name: "neutral",
+            help: "Khronos PBR Neutral: colours keep what they are up to 0.8, and only what is brighter is compressed",
         },
     ];
 }

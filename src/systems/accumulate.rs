@@ -21,12 +21,11 @@ fn accumulate_batch(
     shot: Res<Shot>,
 ) {
     let size = shot.size();
-    let first_pixel = batch.first_row * size.x;
-    film::record_accumulate(&mut frame.trace, &batch.params(&shot), shot.exponent, first_pixel);
-    progress.outdate_beauty();
-    progress.rows += batch.rows;
-    if progress.rows == size.y {
-        progress.rows = 0;
-        progress.samples += batch.layers;
+    film::record_accumulate(&mut frame.trace, &batch.params(&shot), shot.exponent, &shot.params);
+    let before = progress.shows();
+    progress.add(&batch, size);
+    // Until there is a finer level, the picture stays what it is.
+    if progress.samples > 0 || progress.shows() != before {
+        progress.outdate_beauty();
     }
 }

@@ -5,7 +5,7 @@ use bevy_ecs::prelude::*;
 
 use super::error::EngineError;
 use super::phase::Phase;
-use super::resources::{Device, Exposure, FilmProgress, Frame, Live, SceneGeometry, Shot, Target, Viewed};
+use super::resources::{Device, Displayed, FilmProgress, Frame, Live, SceneGeometry, Shot, Target, Viewed};
 use super::run::counted;
 use crate::components::Film;
 use crate::layout::view::{ViewMode, ViewParams};
@@ -55,7 +55,7 @@ fn is_picture_due(
 ) -> bool {
     viewed.0 == ViewMode::Beauty
         && progress.shown != Some(ViewMode::Beauty)
-        && progress.begun
+        && progress.shows().is_some()
         && (live.0 || progress.samples >= target.0)
 }
 
@@ -63,10 +63,10 @@ fn record_picture(
     mut frame: ResMut<Frame>,
     mut progress: Single<&mut FilmProgress, With<Film>>,
     shot: Res<Shot>,
-    exposure: Res<Exposure>,
+    displayed: Res<Displayed>,
 ) {
-    let pixels = shot.size().x * progress.rows_traced(shot.size().y);
-    film::record_display(&mut frame.picture, pixels, shot.exponent, exposure.0);
+    let shown = progress.shows().unwrap_or_default();
+    film::record_display(&mut frame.picture, &film::display_params(shot.size(), shown, shot.exponent, displayed.0));
     progress.shown = Some(ViewMode::Beauty);
 }
 

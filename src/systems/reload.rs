@@ -10,7 +10,7 @@ use bevy_ecs::system::SystemParam;
 use super::code::{restart_for_code, restarts_of};
 use super::error::{EngineError, no_fault};
 use super::phase::Phase;
-use super::resources::{Batch, Device, Exposure, FilmProgress, Governor, MaterialSlot, Target, Tree};
+use super::resources::{Batch, Device, Displayed, FilmProgress, Governor, MaterialSlot, Target, Tree};
 use super::restart::start_again;
 use crate::components::{Film, Name, ShaderValues};
 use crate::gpu::{Code, Compiler, GpuError, GpuTable};
@@ -274,7 +274,7 @@ fn put_scene(world: &mut World, reload: &mut Reload, loaded: Loaded) -> Vec<Prob
 struct Made<'w, 's> {
     tree: ResMut<'w, Tree>,
     progress: Single<'w, 's, &'static mut FilmProgress, With<Film>>,
-    exposure: Res<'w, Exposure>,
+    displayed: Res<'w, Displayed>,
     governor: ResMut<'w, Governor>,
 }
 
@@ -289,7 +289,7 @@ fn tell_what_restarts(mut reload: ResMut<Reload>, mut made: Made) {
     let restarts = Restarts {
         tree: !made.tree.built,
         film: !made.progress.begun,
-        picture: code.picture || made.exposure.is_changed() && !made.exposure.is_added(),
+        picture: code.picture || made.displayed.is_changed() && !made.displayed.is_added(),
     };
     for Taken { saved, files, warnings } in std::mem::take(&mut reload.taken) {
         if restarts != Restarts::default() {
@@ -365,7 +365,7 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
         world.resource_mut::<Tree>().built &= !reload.trial.restarts.tree;
     }
     let target = world.resource::<Target>().0;
-    let is_wanted = |film: &FilmProgress| film.samples + u32::from(film.rows > 0) <= target;
+    let is_wanted = |film: &FilmProgress| film.most_samples() <= target;
     match reload.trial.film.take().filter(|film| endless && is_wanted(film)) {
         Some(film) => {
             let device = &mut world.resource_mut::<Device>().0;

@@ -65,7 +65,7 @@ fn submit_frame(
         let start = Instant::now();
         play(device, &frame.trace)?;
         let seconds = start.elapsed().as_secs_f64();
-        let samples = planned.batch.samples(planned.shot.size().x);
+        let samples = planned.batch.samples(planned.shot.size());
         learnt.spent.trace += seconds;
         learnt.spent.film += seconds;
         learnt.spent.samples += samples;

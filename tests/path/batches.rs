@@ -3,6 +3,7 @@
 use glam::UVec2;
 use lucerna::components::Crop;
 use lucerna::layout::trace::TraceParams;
+use lucerna::passes::lattice::{corners, refinement};
 use lucerna::prepare::camera;
 
 use crate::rooms::Room;
@@ -34,6 +35,26 @@ fn samples_do_not_depend_on_batch_or_crop() {
             let (layer, x, y) = (i / (size.x * size.y), i % size.x, i / size.x % size.y);
             let at = (layer * params.window_height + y + min.y) * params.window_width + x + min.x;
             assert_eq!(sample, whole[at as usize], "crop {min} to {max}, pixel {x}, {y}, layer {layer}");
+        }
+    }
+    for level in [1, 2, 5] {
+        for lattice in [corners(level), refinement(level)] {
+            let size = lattice.size(UVec2::new(21, 13));
+            let part = TraceParams {
+                window_x: params.window_x + lattice.first.x,
+                window_y: params.window_y + lattice.first.y,
+                window_width: size.x,
+                window_height: size.y,
+                column_shift: lattice.shift.x,
+                row_shift: lattice.shift.y,
+                ..params
+            };
+            for (i, sample) in samples(&mut rig, &part).into_iter().enumerate() {
+                let i = i as u32;
+                let at = lattice.first + (UVec2::new(i % size.x, i / size.x % size.y) << lattice.shift);
+                let at = (i / (size.x * size.y) * 13 + at.y) * 21 + at.x;
+                assert_eq!(sample, whole[at as usize], "{lattice:?}, sample {i}");
+            }
         }
     }
 }

@@ -13,7 +13,7 @@ fn after(bench: &mut Bench, file: &str, from: &str, to: &str) -> (String, Vec<&'
     (restarts, dispatches.into_keys().collect())
 }
 
-const FILM: [&str; 4] = ["accumulate", "clear", "display", "path"];
+const FILM: [&str; 3] = ["accumulate", "display", "path"];
 
 const TREE: [&str; 11] = [
     "bounds",

@@ -54,8 +54,14 @@ fn wrong_shaders_leave_the_picture_and_say_where() {
     let display = "shaders/passes/display/display.wgsl";
     let written = ("var<storage, read> film", "var<storage, read_write> film");
     check(bench, display, written, written.1, "binds `film` as var<storage, read>");
-    let own = "import package::gen::{DisplayParams};\nstruct FilmPixel { halves: array<vec2<u32>, 2> }";
-    check(bench, display, ("import package::gen::{DisplayParams, FilmPixel};", own), "FilmPixel {", "shared with Rust");
+    let own = "import package::gen::{DisplayParams, TONE_NONE};\nstruct FilmPixel { halves: array<vec2<u32>, 2> }";
+    check(
+        bench,
+        display,
+        ("import package::gen::{DisplayParams, FilmPixel, TONE_NONE};", own),
+        "FilmPixel {",
+        "shared with Rust",
+    );
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use glam::{UVec2, Vec3};
-use lucerna::components::{Energy, Environment, Film};
+use lucerna::components::{Energy, Environment, Film, Tone};
 
 use super::{SCENE, load_text};
 
@@ -24,7 +24,7 @@ fn defines_change_fields_by_path() {
     let scene = load_text(SCENE, &defines).unwrap_or_else(|errors| panic!("{errors}")).description;
     assert_eq!(scene.materials["square:red"].ns, 64.0);
     assert_eq!(scene.materials["square:red"].kd, Vec3::X);
-    assert_eq!(scene.film, Film { size: UVec2::new(256, 128), crop: None, exposure: 1.5 });
+    assert_eq!(scene.film, Film { size: UVec2::new(256, 128), crop: None, exposure: 1.5, tone: Tone::None });
     assert_eq!(scene.active, "top");
     assert_eq!((scene.render.spp, scene.render.energy), (16, Energy::Preserve));
     assert_eq!(scene.environment, Some(Environment::Constant(Vec3::ZERO)));

@@ -20,7 +20,7 @@ const LOWER_W: u32 = 0x77;
 const ONE: u32 = 0x31;
 
 /// Processor time that two ticks of the system's clock, at either end of a span, may add. A single frame takes more.
-const TICKS: Duration = Duration::from_millis(20);
+pub const TICKS: Duration = Duration::from_millis(20);
 
 /// Samples a pixel: the window has to be finished to be compared.
 const SPP: &str = "6";
@@ -59,9 +59,24 @@ impl Person {
 
     /// Opens a scene file of a folder.
     pub fn in_folder(folder: TempDir, scene: &str, more: &[&str]) -> Self {
+        Self::open(folder, scene, &[&["--size", "192x144", "--spp", SPP], more].concat())
+    }
+
+    /// Opens the Cornell box in a window of some size, with so many samples a pixel, or as many as there is time for.
+    pub fn sized(size: &str, spp: Option<&str>) -> Self {
+        let spp: Vec<&str> = spp.into_iter().flat_map(|spp| ["--spp", spp]).collect();
+        Self::open(tempfile::tempdir().unwrap(), "cornell-box", &[&["--size", size], &*spp].concat())
+    }
+
+    /// Opens files that can be edited in a window of some size; its film goes on.
+    pub fn files_at(size: &str) -> Self {
+        Self::open(Self::files(), "scene.ron", &["--size", size])
+    }
+
+    fn open(folder: TempDir, scene: &str, flags: &[&str]) -> Self {
         let display = Xvfb::start();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
-        command.args(["view", scene, "--size", "192x144", "--spp", SPP]).args(more).current_dir(folder.path());
+        command.args(["view", scene]).args(flags).current_dir(folder.path());
         command.env("DISPLAY", &display.name).env("WINIT_X11_SCALE_FACTOR", "1");
         command.env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
         let file = |name: &str| std::fs::File::create(folder.path().join(name)).unwrap();
@@ -134,7 +149,7 @@ impl Person {
     }
 
     /// Processor time of the process so far, all threads together.
-    fn taken(&self) -> Duration {
+    pub fn taken(&self) -> Duration {
         processor_time(self.process.id()).unwrap()
     }
 

@@ -31,17 +31,16 @@ fn a_flight_is_followed_until_it_rests() {
 }
 
 #[test]
-fn a_film_starts_anew_only_once_it_shows_something() {
+fn a_film_of_fewer_samples_is_another_one() {
     let begin = Instant::now();
     let mut tracing = Tracing::new(1 << 24, begin);
-    assert!(tracing.may_restart(begin) && !tracing.is_whole());
-    tracing.learn(progress(0), begin, 0.01);
-    assert!(!tracing.may_restart(begin) && tracing.may_restart(begin + Duration::from_secs(1)));
-    tracing.learn(progress(2), begin, 0.01);
-    assert!(tracing.may_restart(begin) && tracing.is_whole());
-    // Fewer samples than before: another film, that began with the step.
+    assert!(!tracing.is_whole());
+    tracing.learn(progress(0), begin);
+    assert!(!tracing.is_whole());
+    tracing.learn(progress(2), begin);
+    assert!(tracing.is_whole() && tracing.began == begin);
     let later = begin + FRAME;
-    tracing.learn(progress(1), later, 0.01);
+    tracing.learn(progress(1), later);
     assert_eq!(tracing.began, later);
 }
 
@@ -49,14 +48,14 @@ fn a_film_starts_anew_only_once_it_shows_something() {
 fn a_frame_has_the_more_time_for_tracing_the_slower_a_processor_draws() {
     let now = Instant::now();
     let mut tracing = Tracing::new(1 << 24, now);
-    assert_eq!(tracing.budget(true), pace::STEP);
+    assert_eq!(tracing.budget(true, now), pace::STEP);
     for _ in 0..20 {
         tracing.learn_drawing(Duration::from_millis(40));
     }
-    assert!(tracing.budget(true) > Duration::from_millis(70));
-    assert_eq!(tracing.budget(false), pace::STEP);
+    assert!(tracing.budget(true, now) > Duration::from_millis(70));
+    assert_eq!(tracing.budget(false, now), pace::STEP);
     tracing.pace.moved(now);
-    assert_eq!(tracing.budget(true), pace::MOVING_SAMPLE);
+    assert_eq!((tracing.budget(true, now), tracing.budget(false, now)), (pace::MOVING_STEP, pace::STEP));
 }
 
 #[test]

@@ -36,7 +36,7 @@ impl Xvfb {
     /// Starts a server on a display that is free.
     pub fn start() -> Self {
         let mut command = Command::new("Xvfb");
-        command.args(["-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"]);
+        command.args(["-displayfd", "1", "-screen", "0", "1100x800x24", "-nolisten", "tcp"]);
         let spawned = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
         let mut server = spawned.expect("this test needs Xvfb: `sh setup.sh --tests` installs it");
         let mut line = String::new();
@@ -131,6 +131,12 @@ impl Drop for Xvfb {
 }
 
 impl Screenshot {
+    /// The same, or infinite where they have two sizes.
+    pub fn difference_or_size(&self, other: &Screenshot) -> f64 {
+        let same = (self.width, self.height) == (other.width, other.height);
+        if same { self.difference(other) } else { f64::INFINITY }
+    }
+
     /// Mean absolute difference of codes, of pictures of one size.
     pub fn difference(&self, other: &Screenshot) -> f64 {
         assert_eq!((self.width, self.height), (other.width, other.height));

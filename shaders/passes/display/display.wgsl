@@ -1,7 +1,9 @@
-// The film as a picture: the mean of both halves, exposed, sRGB, 8 bits.
+// The film as a picture: the mean of both halves, exposed, by a tone curve, sRGB, 8 bits. Where only some pixels have a sample yet, each is spread over its
+// block.
 
-import package::gen::{DisplayParams, FilmPixel};
+import package::gen::{DisplayParams, FilmPixel, TONE_NONE};
 import package::lib::colour::{srgb8};
+import package::lib::tone::{toned};
 
 @group(0) @binding(0) var<storage, read> params: DisplayParams;
 @group(0) @binding(1) var<storage, read> film: array<FilmPixel>;
@@ -17,17 +19,32 @@ fn display(
     @builtin(num_workgroups) groups: vec3<u32>,
     @builtin(local_invocation_index) local: u32,
 ) {
-    let pixel = (group.x + group.y * groups.x) * 256u + local;
-    if (pixel >= params.pixels) {
+    let index = (group.x + group.y * groups.x) * 256u + local;
+    let size = vec2<u32>(params.row, params.pixels / params.row);
+    let shift = vec2<u32>(params.column_shift, params.row_shift);
+    let columns = (size.x + (1u << shift.x) - 1u) >> shift.x;
+    let corner = vec2<u32>(index % columns, index / columns) << shift;
+    if (corner.y >= size.y) {
         return;
     }
-    let even = film[pixel].halves[0];
-    let odd = film[pixel].halves[1];
+    let source = corner.y * params.row + corner.x;
+    let even = film[source].halves[0];
+    let odd = film[source].halves[1];
     // No sample yet: black.
     let scale = params.scale / f32(max(even.count + odd.count, 1u));
     var linear: vec3<f32>;
     for (var c = 0u; c < 3u; c++) {
         linear[c] = (as_float(even.sum[c]) + as_float(odd.sum[c])) * scale;
     }
-    picture[pixel] = srgb8(linear);
+    if (params.tone != TONE_NONE) {
+        linear = toned(linear, params.tone);
+    }
+    let word = srgb8(linear);
+    let end = min(corner + (vec2<u32>(1u) << shift), size);
+    for (var y = corner.y; y < end.y; y++) {
+        for (var x = corner.x; x < end.x; x++) {
+            let pixel = y * size.x + x;
+            picture[pixel] = word;
+        }
+    }
 }

@@ -13,11 +13,15 @@ import package::lib::fault::{fault_of};
 
 var<workgroup> group_rays: atomic<u32>;
 
+// Where a pixel of the batch is, from its first one.
+fn place_of(pixel: u32) -> vec2<u32> {
+    return vec2<u32>(pixel % params.window_width, pixel / params.window_width) << vec2<u32>(params.column_shift, params.row_shift);
+}
+
 fn log_bad(pixel: u32, sample: u32, bounce: u32, material: u32, kind: u32) {
     let slot = atomicAdd(&counters.bad, 1u);
     if (slot < BAD_LOG) {
-        let at = vec2<u32>(pixel % params.window_width, pixel / params.window_width)
-            + vec2<u32>(params.window_x, params.window_y);
+        let at = place_of(pixel) + vec2<u32>(params.window_x, params.window_y);
         counters.log[slot] = BadSample(at.y * params.film_width + at.x, sample, bounce, material, kind);
     }
 }
@@ -59,15 +63,17 @@ fn add_or_log(half: ptr<function, FilmHalf>, arrived: RadianceSample, pixel: u32
 // The samples of one pixel, layer by layer; returns how many rays were traced for them.
 fn add_layers(pixel: u32) -> u32 {
     let pixels = params.window_width * params.window_height;
+    let place = place_of(pixel);
+    let index = params.first_pixel + place.y * params.row + place.x;
     var rays = 0u;
     for (var half = 0u; half < 2u; half++) {
-        var sums = film[params.first_pixel + pixel].halves[half];
+        var sums = film[index].halves[half];
         for (var layer = (params.first_sample + half) & 1u; layer < params.layers; layer += 2u) {
             let arrived = radiance[layer * pixels + pixel];
             rays += arrived.info & ~SAMPLE_BAD;
             add_or_log(&sums, arrived, pixel, params.first_sample + layer);
         }
-        film[params.first_pixel + pixel].halves[half] = sums;
+        film[index].halves[half] = sums;
     }
     return rays;
 }

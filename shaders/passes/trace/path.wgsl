@@ -316,6 +316,7 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>) {
     if (id.x >= params.window_width || id.y >= params.window_height || id.z >= params.layers) {
         return;
     }
-    let sample = trace_path(id.xy + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
+    let step = id.xy << vec2<u32>(params.column_shift, params.row_shift);
+    let sample = trace_path(step + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
     radiance[(id.z * params.window_height + id.y) * params.window_width + id.x] = sample;
 }

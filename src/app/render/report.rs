@@ -86,6 +86,7 @@ impl RenderSummary<'_> {
             "roulette": scene.render.roulette,
             "energy": scene.render.energy.variant(),
             "exposure": scene.film.exposure,
+            "tone": scene.film.tone.name(),
             "repeat": self.described().repeat(),
             "interrupted": self.ended == Ended::Interrupted,
             "ended_by": self.ended.word(),

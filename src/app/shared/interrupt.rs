@@ -83,7 +83,7 @@ impl Interrupt {
 }
 
 /// Ends the process from any thread, whatever the others do.
-fn end(exit: Exit) -> ! {
+pub fn end(exit: Exit) -> ! {
     let code = i32::from(exit.code());
     // SAFETY: this call has no conditions. It runs no exit handlers: those of drivers don't expect that their threads go on.
     #[cfg(unix)]

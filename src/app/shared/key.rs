@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use crate::components::{Integrator, Render, Sampler};
+use crate::components::{Integrator, Render, Sampler, Tone};
 use crate::scene::SceneDescription;
 
 /// Fowler, Noll and Vo's hash FNV-1a, 64 bits: the same on every machine and by every compiler.
@@ -30,12 +30,12 @@ pub fn hash(of: impl fmt::Debug) -> u64 {
     fnv.0
 }
 
-/// Of the picture that every unbiased estimate of a scene tends to: all of the description but its name, the exposure,
+/// Of the picture that every unbiased estimate of a scene tends to: all of the description but its name, how it is shown,
 /// and how light is estimated.
 pub fn scene_key(description: &SceneDescription) -> String {
     let mut plain = description.clone();
     plain.name.clear();
-    plain.film.exposure = 0.0;
+    (plain.film.exposure, plain.film.tone) = (0.0, Tone::None);
     let (integrator, sampler) = (Integrator::Path, Sampler::Pcg);
     plain.render = Render { integrator, sampler, roulette: false, seed: 0, spp: 1, ..plain.render };
     // Numbers are written so that they read back to the same bits.

@@ -66,6 +66,11 @@ impl SceneFlags {
         Ok(Opened { path, description, files: loaded.files, shader_places: loaded.shader_places, spp })
     }
 
+    /// Whether the command line says how many samples a pixel is to get.
+    pub fn gives_samples(&self) -> bool {
+        self.settings.gives("spp") || self.define.iter().any(|define| define.path == "render.spp")
+    }
+
     /// The shaders to draw a scene with, which are to have the parameters that it sets.
     pub fn library(&self, opened: &Opened) -> Result<Library, Failure> {
         let library = match self.shader_folder() {

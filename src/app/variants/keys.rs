@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use crate::components::{Environment, Film, Render};
+use crate::components::{Environment, Film, Render, Tone};
 use crate::scene::SceneDescription;
 
 /// What a member needs, each kind by a number that equal ones share; what is dearest to exchange comes first.
@@ -22,11 +22,11 @@ pub struct Keys {
     pub materials: usize,
     /// Of shaders' parameters.
     pub values: usize,
-    /// Camera, and the film but its exposure.
+    /// Camera, and the film but how it is shown.
     pub view: usize,
     /// Samples a pixel: a film goes on with more.
     pub spp: u32,
-    /// Exposures alone need no other film.
+    /// Exposures and tone curves alone need no other film.
     pub exposure: usize,
 }
 
@@ -67,7 +67,7 @@ impl Numbering {
         let Render { integrator, sampler, roulette, energy, texture_filter, diffuse_map, texture_size, .. } =
             scene.render;
         let settings = (integrator, sampler, roulette, energy, texture_filter, diffuse_map, texture_size);
-        let film = Film { exposure: 0.0, ..scene.film };
+        let film = Film { exposure: 0.0, tone: Tone::None, ..scene.film };
         let view = (scene.cameras.get(&scene.active), film, scene.render.max_depth, scene.render.seed);
         Keys {
             geometry: self.number("geometry", geometry),
@@ -80,7 +80,7 @@ impl Numbering {
             values: self.number("values", format!("{:?}", scene.shader)),
             view: self.number("view", format!("{view:?}")),
             spp: scene.render.spp,
-            exposure: self.number("exposure", format!("{:?}", scene.film.exposure)),
+            exposure: self.number("exposure", format!("{:?}", (scene.film.exposure, scene.film.tone))),
         }
     }
 

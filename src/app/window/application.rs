@@ -11,6 +11,7 @@ use winit::window::{Window, WindowId};
 
 use super::reason::reason;
 use super::session::{Opening, Session};
+use crate::app::shared::interrupt::end;
 use crate::app::shared::output;
 use crate::app::{Exit, Failure};
 use crate::engine::EngineError;
@@ -119,8 +120,12 @@ impl ApplicationHandler for Application {
         });
     }
 
-    /// The surface goes before the window library's connection does.
+    /// Nothing is left to be saved: compilers, judges and drivers, which may take seconds to come to an end, are not waited for.
     fn exiting(&mut self, _: &ActiveEventLoop) {
+        if self.failure.is_none() {
+            end(Exit::Done);
+        }
+        // The surface goes before the window library's connection does.
         self.session = None;
     }
 }

@@ -8,7 +8,7 @@ use winit::event::{ElementState, KeyEvent, Modifiers, MouseButton, MouseScrollDe
 use winit::keyboard::{Key, KeyCode, NamedKey, PhysicalKey};
 
 /// What a user wants.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Intent {
     /// Radians.
     Orbit(DVec2),
@@ -16,6 +16,8 @@ pub enum Intent {
     Pan(DVec2),
     /// The distance is multiplied by this.
     Zoom(f64),
+    /// Pixels are shown twice as large so many times.
+    Magnify(i32),
     /// To what is under the pointer.
     Focus,
     FrameAll,
@@ -24,6 +26,7 @@ pub enum Intent {
     /// A camera of the scene, by its place in the order of names, from 0.
     Camera(usize),
     Restart,
+    Pause,
     /// Stops.
     Exposure(f32),
     PrintCamera,
@@ -36,6 +39,8 @@ pub enum Intent {
     Split,
     Fullscreen,
     Save,
+    /// A key that means nothing, by what is written on it.
+    Unknown(String),
     Quit,
 }
 
@@ -56,6 +61,22 @@ const FLIGHT: [(KeyCode, DVec3); 6] = [
     (KeyCode::KeyQ, DVec3::NEG_Y),
     (KeyCode::KeyW, DVec3::Z),
     (KeyCode::KeyS, DVec3::NEG_Z),
+];
+
+/// Keys that are pressed for what else is pressed with them, or for the desktop.
+const SILENT: &[NamedKey] = &[
+    NamedKey::Alt,
+    NamedKey::AltGraph,
+    NamedKey::CapsLock,
+    NamedKey::Control,
+    NamedKey::Fn,
+    NamedKey::FnLock,
+    NamedKey::NumLock,
+    NamedKey::ScrollLock,
+    NamedKey::Shift,
+    NamedKey::Meta,
+    NamedKey::Compose,
+    NamedKey::PrintScreen,
 ];
 
 /// What is held down, and where the pointer is.
@@ -89,6 +110,9 @@ impl Controls {
                     MouseScrollDelta::LineDelta(_, y) => f64::from(*y),
                     MouseScrollDelta::PixelDelta(by) => by.y / LINE_PIXELS,
                 };
+                if self.control {
+                    return Some(Intent::Magnify(lines.signum() as i32)).filter(|_| lines != 0.0);
+                }
                 return Some(Intent::Zoom(ZOOM_LINE.powf(lines.clamp(-20.0, 20.0))));
             }
             _ => self.let_go(event),
@@ -158,7 +182,9 @@ impl Controls {
                 NamedKey::F11 => Some(Intent::Fullscreen),
                 NamedKey::F12 => Some(Intent::Save),
                 NamedKey::Escape => Some(Intent::Quit),
-                _ => None,
+                NamedKey::Space => Some(Intent::Pause),
+                named if SILENT.contains(named) => None,
+                named => Some(Intent::Unknown(format!("{named:?}"))),
             },
             Key::Character(text) => match text.to_lowercase().as_str() {
                 "f" => Some(Intent::FrameAll),
@@ -169,7 +195,11 @@ impl Controls {
                 "j" => Some(Intent::Judge),
                 "v" => Some(Intent::Split),
                 "b" => Some(Intent::Exposure(if self.shift { -0.5 } else { 0.5 })),
-                digit => digit.parse::<usize>().ok().filter(|n| (1..=9).contains(n)).map(|n| Intent::Camera(n - 1)),
+                " " => Some(Intent::Pause),
+                other => Some(match other.parse::<usize>() {
+                    Ok(place @ 1..=9) => Intent::Camera(place - 1),
+                    _ => Intent::Unknown(text.to_uppercase()),
+                }),
             },
             _ => None,
         }

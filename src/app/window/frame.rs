@@ -8,6 +8,7 @@ use super::cameras;
 use super::panel::Outcome;
 use super::screen::physical_size;
 use super::session::Session;
+use super::tracing::Rest;
 use crate::app::shared::failure::rendered;
 use crate::components::{Camera, Film};
 use crate::engine::{EngineError, Progress};
@@ -36,7 +37,7 @@ impl Session {
         }
         self.fly(elapsed, now);
         self.follow_view(now);
-        self.follow_window(now);
+        self.fit_film();
         self.show_judgement();
         let before = self.traced();
         let saves = self.engine.has_saves();
@@ -71,10 +72,26 @@ impl Session {
         self.engine.spent().trace
     }
 
-    /// How the picture lies on the window: a crop keeps its shape, any other film is as large as the window.
+    /// How the picture lies on the window.
     pub(super) fn fit(&mut self) -> Fit {
+        self.magnifier.fit(self.plain_fit())
+    }
+
+    /// How it does by itself: a crop keeps its shape, any other film is as large as the window.
+    fn plain_fit(&mut self) -> Fit {
         let crop = self.engine.settings().is_some_and(|(film, _)| film.crop.is_some());
         if crop { Fit::Letterbox } else { Fit::Fill }
+    }
+
+    /// Shows the picture's pixels larger, or smaller, about the pointer.
+    pub(super) fn magnify(&mut self, times: i32) {
+        let Some(pointer) = self.controls.cursor else { return };
+        let (picture, plain) = (self.engine.window_size(), self.plain_fit());
+        self.magnifier.turn(times, pointer.as_vec2(), picture, physical_size(&self.window), plain);
+        self.notify(match self.magnifier.scale() {
+            Some(scale) => format!("pixels at {scale}:1"),
+            None => "pixels at their own size".to_owned(),
+        });
     }
 
     /// The pixel of the picture that the pointer is on.
@@ -96,9 +113,9 @@ impl Session {
         }
     }
 
-    /// Moves the engine's camera after the view, once there is a picture of where it was.
+    /// Moves the engine's camera after the view.
     fn follow_view(&mut self, now: Instant) {
-        if !self.viewpoint.moved || !self.tracing.may_restart(now) {
+        if !self.viewpoint.moved {
             return;
         }
         let view = self.viewpoint.camera;
@@ -106,14 +123,6 @@ impl Session {
             self.film_restarts(now);
         }
         self.viewpoint.moved = false;
-        self.fit_film();
-    }
-
-    /// Gives the film the window's whole size, once nothing moves.
-    fn follow_window(&mut self, now: Instant) {
-        if self.tracing.pace.settle(now) || self.tracing.progress.is_none() {
-            self.fit_film();
-        }
     }
 
     /// Gives the film the size that the window has for it.
@@ -129,6 +138,7 @@ impl Session {
             film.map(|mut film| film.size = size).is_some()
         });
         if changed {
+            self.end_judging();
             self.film_restarts(Instant::now());
         }
     }
@@ -136,8 +146,7 @@ impl Session {
     /// Runs the schedule once.
     fn step(&mut self) -> Result<(), EngineError> {
         let begin = Instant::now();
-        let before = self.traced();
-        let stepped = self.engine.step(self.tracing.budget(self.gpu.is_software()));
+        let stepped = self.engine.step(self.tracing.budget(self.gpu.is_software(), begin));
         self.follow_saves();
         let Some(progress) = self.survive("tracing", stepped)? else {
             // Until something changes, it would fail again.
@@ -145,10 +154,44 @@ impl Session {
             return Ok(());
         };
         self.follow_textures();
-        let seconds = self.traced() - before;
-        self.tracing.learn(progress, begin, seconds);
+        self.tracing.learn(progress, begin);
+        if !progress.finished {
+            // A film that starts anew does not rest.
+            self.tracing.rest = None;
+        }
         self.activity.working = !progress.finished;
+        self.look_at_error()
+    }
+
+    /// Lets a film that goes on for as long as it is let rest, once more samples would not be seen.
+    fn look_at_error(&mut self) -> Result<(), EngineError> {
+        if !self.engine.is_endless() || !self.tracing.wants_look() {
+            return Ok(());
+        }
+        let error = self.engine.picture_error();
+        if let Some(error) = self.survive("looking at the film", error)?
+            && self.tracing.learn_error(error)
+        {
+            self.rest(Some(Rest::Fine));
+        }
         Ok(())
+    }
+
+    /// Lets the film rest, or go on.
+    pub(super) fn rest(&mut self, rest: Option<Rest>) {
+        self.tracing.rest = rest;
+        self.engine.rest(rest.is_some());
+        self.activity.working = true;
+        self.titled = None;
+    }
+
+    /// The picture may be shown otherwise from now on: what was fine enough may no longer be.
+    pub(super) fn wake_film(&mut self) {
+        self.tracing.look_anew();
+        if self.tracing.rest == Some(Rest::Fine) {
+            self.rest(None);
+        }
+        self.activity.working = true;
     }
 
     /// Goes on after an error, unless the device is lost: what failed stands over the picture until the same succeeds.
@@ -199,11 +242,10 @@ impl Session {
         let now = Instant::now();
         if outcome.moved {
             self.tracing.pace.moved(now);
-            self.fit_film();
         }
         if outcome.edited || outcome.moved {
             self.end_judging();
-            self.activity.working = true;
+            self.wake_film();
         }
         if let Some(lens) = outcome.lens {
             self.set_view(Camera { lens, ..self.viewpoint.camera }, now);
@@ -225,6 +267,12 @@ impl Session {
         self.titled = Some(Instant::now());
         let Progress { spp, target, .. } = progress;
         let name = self.place_of(self.name());
-        self.window.set_title(&format!("{name}: {spp} of {target} spp (F1 for keys) - Lucerna"));
+        let of = if self.engine.is_endless() { String::new() } else { format!(" of {target}") };
+        let rest = match self.tracing.rest {
+            Some(Rest::Paused) => ", paused",
+            Some(Rest::Fine) => ", as fine as 8 bits show",
+            None => "",
+        };
+        self.window.set_title(&format!("{name}: {spp}{of} spp{rest} (F1 for keys) - Lucerna"));
     }
 }

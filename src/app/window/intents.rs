@@ -8,6 +8,7 @@ use winit::window::Fullscreen;
 use super::controls::Intent;
 use super::screen::physical_size;
 use super::session::Session;
+use super::tracing::Rest;
 use super::{cameras, navigate, snapshot};
 use crate::app::shared::failure::show;
 use crate::app::shared::output;
@@ -29,12 +30,14 @@ impl Session {
                 let range = ZOOM_RANGE.map(|bound| bound * self.scene_size());
                 self.set_view(navigate::zoom(self.viewpoint.camera, factor, range), now);
             }
+            Intent::Magnify(times) => self.magnify(times),
             Intent::Focus => self.focus(now)?,
             Intent::FrameAll => self.frame_all(now),
             Intent::Camera(place) => {
                 let names: Vec<String> = self.engine.read(cameras::all).into_keys().collect();
-                if let Some(name) = names.get(place) {
-                    self.choose_camera(name, now);
+                match names.get(place) {
+                    Some(name) => self.choose_camera(name, now),
+                    None => self.notify(format!("there is no camera {}: the last is {}", place + 1, names.len())),
                 }
             }
             Intent::Member(by) => self.step_member(by),
@@ -42,6 +45,7 @@ impl Session {
                 self.engine.restart_film();
                 self.resume();
             }
+            Intent::Pause => self.toggle_pause(),
             Intent::Exposure(stops) => self.expose(stops),
             Intent::PrintCamera => self.print_camera(),
             Intent::Help => {
@@ -66,9 +70,22 @@ impl Session {
                 self.saving = true;
                 self.draw_again();
             }
+            Intent::Unknown(key) => self.notify(format!("{key} does nothing here: F1 shows the keys")),
             Intent::Quit => self.quit(),
         }
         Ok(())
+    }
+
+    /// Lets the film rest until it starts anew or goes on.
+    fn toggle_pause(&mut self) {
+        let paused = self.tracing.rest.is_none() && self.tracing.progress.is_some_and(|progress| !progress.finished);
+        let spp = self.tracing.progress.map_or(0, |progress| progress.spp);
+        match (paused, self.tracing.rest) {
+            (true, _) => self.notify(format!("paused at {spp} spp: Space goes on")),
+            (false, Some(_)) => self.notify(format!("goes on from {spp} spp")),
+            (false, None) => return self.notify(format!("finished at {spp} spp: there is nothing to pause")),
+        }
+        self.rest(paused.then_some(Rest::Paused));
     }
 
     /// Focuses to what is seen under the pointer, as the engine's camera sees it.
@@ -118,7 +135,7 @@ impl Session {
         });
         if let Some(exposure) = exposure {
             self.notify(format!("exposure {exposure:+} stops"));
-            self.resume();
+            self.wake_film();
         }
     }
 
@@ -137,9 +154,12 @@ impl Session {
         let Some(film) = self.survive("saving", film)? else { return Ok(()) };
         let name = self.name().to_owned();
         let scene = self.engine.describe(&name);
-        let (names, failures) = snapshot::save(Path::new("result"), &scene, &self.gpu.name(), &film);
+        let shown = self.shown(&scene, &film);
+        let (names, failures) = snapshot::save(Path::new("result"), &shown);
+        let repeat = shown.repeat();
         if !names.is_empty() {
-            let saved = format!("saved {}", names.join(" and "));
+            let lacks = if repeat.lacks_edits { " (without what was edited in the panel)" } else { "" };
+            let saved = format!("saved {}; again{lacks}:\n{}", names.join(" and "), repeat.line);
             output::note(&saved);
             self.notify(saved);
         }

@@ -5,11 +5,13 @@ pub const KEYS: &[(&str, &str)] = &[
     ("left drag", "orbit about the point that is looked at"),
     ("middle drag, Shift + left drag", "pan"),
     ("wheel, right drag", "come closer, go away"),
+    ("Ctrl + wheel", "the picture's pixels as larger squares, up to 64:1; back to 1:1"),
     ("W A S D, Q E", "fly; down and up"),
     ("Ctrl + left click", "focus to what is under the pointer"),
     ("F", "show the whole scene"),
     ("1 to 9", "the scene's cameras in the order of their names, as the scene's file has them"),
     ("R", "start the film anew"),
+    ("Space", "pause the film, let it go on"),
     ("B, Shift + B", "half a stop brighter, darker"),
     ("C", "print the camera as a line for the scene file"),
     ("J", "judge the last edit of the shaders by what was there before"),
@@ -19,7 +21,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("F2", "the panel"),
     ("F5", "read shaders and scene again"),
     ("F11", "fullscreen"),
-    ("F12", "save PNG and EXR to result/"),
+    ("F12", "save PNG and EXR to result/, and say the command that gives them again"),
     ("Esc", "quit"),
 ];
 

@@ -11,8 +11,10 @@
 //! | `session`, `frame` | a window with an engine: what it keeps; one frame |
 //! | `viewpoint`, `tracing`, `activity`, `judgement`, `failures` | what a session keeps, by what it is about |
 //! | `intents` | what each key and gesture does |
+//! | `snapshot`, `repeat` | saving what is seen; the command that gives it again |
 //! | `controls`, `keys` | events to intents; the table of keys |
 //! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
+//! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
 //! | `saves`, `judge`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
@@ -33,6 +35,7 @@ mod judge;
 mod judgement;
 mod judging;
 pub mod keys;
+pub mod magnifier;
 mod members;
 pub mod navigate;
 mod overlay;
@@ -40,6 +43,7 @@ pub mod pace;
 pub mod pair;
 pub mod panel;
 mod reason;
+mod repeat;
 mod saves;
 mod screen;
 mod session;

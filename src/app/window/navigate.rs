@@ -94,6 +94,11 @@ fn translate(camera: Camera, by: DVec3) -> Camera {
 
 /// The camera as an entry of a scene file's `cameras`, in one line, exact. What is as in a camera without them is left out.
 pub fn to_ron(name: &str, camera: &Camera) -> String {
+    format!("{name:?}: {},", fields(camera))
+}
+
+/// The camera's fields as such an entry has them, in brackets.
+pub fn fields(camera: &Camera) -> String {
     let vector = |v: DVec3| format!("({}, {}, {})", v.x, v.y, v.z);
     let [position, look_at, up] = [camera.position, camera.look_at, camera.up].map(vector);
     let (fov_y, Lens { aperture, focus, shift }) = (camera.fov_y, camera.lens);
@@ -104,5 +109,5 @@ pub fn to_ron(name: &str, camera: &Camera) -> String {
         Focus::At(point) => format!(", focus: At({})", vector(point)),
     };
     let shift = if shift == DVec2::ZERO { String::new() } else { format!(", shift: ({}, {})", shift.x, shift.y) };
-    format!("{name:?}: (position: {position}, look_at: {look_at}, up: {up}, fov_y: {fov_y}{aperture}{focus}{shift}),")
+    format!("(position: {position}, look_at: {look_at}, up: {up}, fov_y: {fov_y}{aperture}{focus}{shift})")
 }

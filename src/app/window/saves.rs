@@ -70,7 +70,6 @@ impl Session {
         if !self.viewpoint.moved && view != Some(self.viewpoint.camera) {
             self.follow_camera(Instant::now());
         }
-        self.fit_film();
         self.activity.working = true;
     }
 

@@ -13,10 +13,12 @@ use super::controls::Controls;
 use super::failures::Failures;
 use super::family::{Family, Listing};
 use super::judgement::Judgement;
+use super::magnifier::Magnifier;
 use super::overlay::Overlay;
 use super::pace;
 use super::pair::Pair;
 use super::panel::Panel;
+use super::repeat::Shown;
 use super::screen::{Screen, physical_size};
 use super::thumbs::Thumbs;
 use super::tracing::Tracing;
@@ -24,7 +26,7 @@ use super::viewpoint::Viewpoint;
 use crate::app::shared::failure::show;
 use crate::app::shared::scene::{Opened, SceneFlags};
 use crate::app::shared::textures::TextureNotices;
-use crate::engine::{Engine, EngineError};
+use crate::engine::{Engine, EngineError, FilmImage};
 use crate::gpu::{Gpu, GpuError};
 use crate::layout::film::FilmPixel;
 use crate::scene::SceneDescription;
@@ -87,6 +89,7 @@ pub struct Session {
     pub(super) overlay: Overlay,
     pub(super) panel: Panel,
     pub(super) viewpoint: Viewpoint,
+    pub(super) magnifier: Magnifier,
     pub(super) tracing: Tracing,
     pub(super) activity: Activity,
     pub(super) failures: Failures,
@@ -109,6 +112,7 @@ impl Session {
         let (gpu, screen) = Screen::open(&window, &library)?;
         let mut engine = Engine::open(gpu.clone(), library.clone(), &opening.description)?;
         engine.set_live(true);
+        engine.set_endless(!opening.flags.gives_samples());
         opening.watch(&mut engine, library.clone());
         if opening.again {
             // Files may have come to be named since the scene was first read.
@@ -128,6 +132,7 @@ impl Session {
             overlay: Overlay::default(),
             panel,
             viewpoint: Viewpoint::new(view, opening.opened.description.cameras.clone()),
+            magnifier: Magnifier::default(),
             tracing: Tracing::new(most_pixels, now),
             activity: Activity::new(now),
             failures: Failures::default(),
@@ -167,6 +172,14 @@ impl Session {
 
     pub(super) fn family(&self) -> Option<&Family> {
         self.opening.family.as_ref()
+    }
+
+    /// What the window shows, as a film of it was read back.
+    pub(super) fn shown<'a>(&'a self, scene: &'a SceneDescription, film: &'a FilmImage) -> Shown<'a> {
+        let Opening { opened, flags, family, .. } = &self.opening;
+        let saved = self.engine.saved_scene().unwrap_or(&opened.description);
+        let (path, is_member) = (&*opened.path, family.is_some());
+        Shown { path, is_member, saved, scene, flags, film, adapter: self.gpu.name() }
     }
 
     pub(super) fn wake(&self) -> EventLoopProxy<()> {
@@ -210,6 +223,7 @@ impl Session {
     /// The film starts anew: there is something to trace.
     pub(super) fn film_restarts(&mut self, now: Instant) {
         self.tracing.began = now;
+        self.tracing.pace.moved(now);
         self.activity.working = true;
     }
 
@@ -227,7 +241,6 @@ impl Session {
                 self.screen.resize()?;
                 let now = Instant::now();
                 self.tracing.pace.moved(now);
-                self.viewpoint.moved = true;
                 self.activity.redraw = true;
             }
             WindowEvent::Occluded(hidden) => {
@@ -270,9 +283,6 @@ impl Session {
         }
         let pixel = self.pixel_under_pointer();
         let reading = self.panel.next_reading(&mut self.engine, pixel, self.tracing.began);
-        [self.tracing.pace.settles_at(), self.overlay.expires_at(), self.activity.ui_again, reading]
-            .into_iter()
-            .flatten()
-            .min()
+        [self.overlay.expires_at(), self.activity.ui_again, reading].into_iter().flatten().min()
     }
 }

@@ -3,21 +3,21 @@
 use std::path::Path;
 
 use super::navigate;
+use super::repeat::Shown;
 use crate::app::shared::describe;
-use crate::engine::FilmImage;
 use crate::image::{Kind, Output, Outputs, Picture, SaveError};
-use crate::scene::SceneDescription;
 
 /// Numbers that are tried for a name that is free.
 const MOST_NAMES: u32 = 100_000;
 
 /// Writes the film under the first name that is free in `folder`, `SCENE-1.png` and `.exr`. Returns the names of the files
 /// that were written, and why the others were not.
-pub fn save(folder: &Path, scene: &SceneDescription, adapter: &str, film: &FilmImage) -> (Vec<String>, Vec<SaveError>) {
+pub fn save(folder: &Path, shown: &Shown) -> (Vec<String>, Vec<SaveError>) {
+    let Shown { scene, film, .. } = shown;
     let path = |n: u32, extension: &str| folder.join(format!("{}-{n}.{extension}", scene.name));
     let free = |n: &u32| !path(*n, "png").exists() && !path(*n, "exr").exists();
     let number = (1..MOST_NAMES).find(free).unwrap_or(MOST_NAMES);
-    let metadata = metadata(scene, adapter, film);
+    let metadata = metadata(shown);
     let picture = Picture {
         size: film.size,
         window: film.window,
@@ -34,7 +34,8 @@ pub fn save(folder: &Path, scene: &SceneDescription, adapter: &str, film: &FilmI
 }
 
 /// What it takes to come back to this picture. The camera is as it was moved, as a line for the scene file.
-fn metadata(scene: &SceneDescription, adapter: &str, film: &FilmImage) -> Vec<(&'static str, String)> {
+fn metadata(shown: &Shown) -> Vec<(&'static str, String)> {
+    let Shown { scene, film, adapter, .. } = shown;
     let camera = scene.cameras.get(&scene.active).map(|camera| navigate::to_ron(&scene.active, camera));
     let mut data = vec![
         ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
@@ -48,6 +49,6 @@ fn metadata(scene: &SceneDescription, adapter: &str, film: &FilmImage) -> Vec<(&
     if !values.is_empty() {
         data.push(("shader", values.join("; ")));
     }
-    data.push(("adapter", adapter.to_owned()));
+    data.extend([("adapter", adapter.clone()), ("repeat", shown.repeat().line)]);
     data
 }

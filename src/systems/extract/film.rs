@@ -10,7 +10,7 @@ use crate::layout::light::LightRecord;
 use crate::layout::texture::{Tangents, TextureRecord};
 use crate::layout::trace::Shading;
 use crate::layout::tree::Triangle;
-use crate::systems::resources::{Exposure, FilmProgress, MeanEmission, Shot, Sky, Tree};
+use crate::systems::resources::{Displayed, FilmProgress, MeanEmission, Shot, Sky, Tree};
 use crate::systems::run::counted;
 
 pub fn add_systems(schedule: &mut Schedule) {
@@ -19,7 +19,7 @@ pub fn add_systems(schedule: &mut Schedule) {
         (
             discard_tree.pipe(counted("discard_tree")).run_if(triangles),
             restart_film.pipe(counted("restart_film")).run_if(light_changed),
-            outdate_picture.pipe(counted("outdate_picture")).run_if(resource_changed::<Exposure>),
+            outdate_picture.pipe(counted("outdate_picture")).run_if(resource_changed::<Displayed>),
         )
             .in_set(Step::Film),
     );

@@ -6,15 +6,16 @@ use glam::{DMat3, Mat3, Vec3};
 
 use super::step::Step;
 use crate::components::{
-    Active, Camera, CameraItem, Environment, EnvironmentItem, Film, Integrator, Name, Render, Sampler, rendered_camera,
-    rendered_environment,
+    Active, Camera, CameraItem, Environment, EnvironmentItem, Film, Integrator, Name, Render, Sampler, Tone,
+    rendered_camera, rendered_environment,
 };
 use crate::gpu::GpuTable;
-use crate::layout::film::film_exponent;
+use crate::layout::film::{MOST_SAMPLES, TONE_AGX, TONE_NEUTRAL, TONE_NONE, film_exponent};
 use crate::layout::light::{LightRecord, LightTable};
 use crate::layout::texture::MaterialMaps;
 use crate::layout::trace::{MaterialRecord, TraceParams};
 use crate::layout::tree::Triangle;
+use crate::passes::film::Look;
 use crate::passes::trace::{Needs, largest_emission};
 use crate::passes::tree::PLAN;
 use crate::prepare::lighting::Lighting;
@@ -22,7 +23,7 @@ use crate::prepare::sun::sun_of;
 use crate::prepare::{camera, point};
 use crate::systems::error::EngineError;
 use crate::systems::resources::{
-    Everything, Exposure, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target, Textures,
+    Displayed, Endless, Everything, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target, Textures,
 };
 use crate::systems::run::counted;
 
@@ -69,6 +70,7 @@ fn scene_changed(
     lights: Res<GpuTable<LightRecord>>,
     density: Res<LightDensity>,
     sky: Res<Sky>,
+    endless: Res<Endless>,
 ) -> bool {
     geometry.is_changed()
         || triangles.is_changed()
@@ -78,6 +80,7 @@ fn scene_changed(
         || lights.is_changed()
         || density.is_changed()
         || sky.is_changed()
+        || endless.is_changed()
 }
 
 /// What the kernel is to know of the scene, as the systems before made it.
@@ -97,7 +100,7 @@ struct Packed<'w> {
 #[derive(bevy_ecs::system::SystemParam)]
 struct Extracted<'w> {
     shot: ResMut<'w, Shot>,
-    exposure: ResMut<'w, Exposure>,
+    displayed: ResMut<'w, Displayed>,
     target: ResMut<'w, Target>,
 }
 
@@ -107,6 +110,7 @@ fn extract_shot(
     mut films: Query<(&Film, &Render, &mut FilmProgress)>,
     environments: Query<EnvironmentItem>,
     packed: Packed,
+    endless: Res<Endless>,
     mut extracted: Extracted,
 ) -> Result<(), EngineError> {
     let (film, render, mut progress) = films.single_mut().map_err(|error| match error {
@@ -119,15 +123,26 @@ fn extract_shot(
     if !shot.same(&extracted.shot) {
         *extracted.shot = shot;
     }
-    let target = render.spp.max(1);
-    if target < progress.samples + u32::from(progress.rows > 0) {
+    let target = if endless.0 { MOST_SAMPLES } else { render.spp.max(1) };
+    if target < progress.most_samples() {
         progress.restart();
     }
     extracted.target.set_if_neq(Target(target));
-    if film.exposure.to_bits() != extracted.exposure.0.to_bits() {
-        extracted.exposure.0 = film.exposure;
+    let look = Look { exposure: film.exposure, tone: tone_code(film.tone) };
+    let shown = extracted.displayed.0;
+    if (look.exposure.to_bits(), look.tone) != (shown.exposure.to_bits(), shown.tone) {
+        extracted.displayed.0 = look;
     }
     Ok(())
+}
+
+/// What the display pass knows a tone curve by.
+fn tone_code(tone: Tone) -> u32 {
+    match tone {
+        Tone::None => TONE_NONE,
+        Tone::Agx => TONE_AGX,
+        Tone::Neutral => TONE_NEUTRAL,
+    }
 }
 
 fn shoot(

@@ -1,8 +1,10 @@
 //! How far the film has come, and what this run of the schedule adds to it.
 
 use bevy_ecs::prelude::*;
+use glam::UVec2;
 
 use crate::layout::view::ViewMode;
+use crate::passes::lattice::{Lattice, corners, refinement};
 
 /// How far the film of its entity has come. The default is a film that has not begun, which is how one starts anew.
 #[derive(Component, Default, Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,10 +13,23 @@ pub struct FilmProgress {
     pub begun: bool,
     /// Samples that every pixel of the window has.
     pub samples: u32,
-    /// Rows, from the top, that have one more.
+    /// The corners of this level have one more; none where no level's have.
+    pub level: Option<u32>,
+    /// Of these pixels, the rows that have one more, from the top; zero between two sweeps.
+    pub sweep: Sweep,
     pub rows: u32,
+    /// It is left at what it has.
+    pub rests: bool,
     /// What the picture shows of this very film and scene; none while it shows what was before.
     pub shown: Option<ViewMode>,
+}
+
+/// Pixels that get a sample one after the other.
+#[derive(Default, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sweep {
+    pub pixels: Lattice,
+    /// The level whose corners have that sample afterwards; 0 is all pixels.
+    pub level: u32,
 }
 
 impl FilmProgress {
@@ -33,12 +48,54 @@ impl FilmProgress {
         self.shown = self.shown.filter(|mode| *mode == ViewMode::Beauty);
     }
 
-    /// Rows, from the top, that have a sample, of a window of so many.
-    pub fn rows_traced(&self, height: u32) -> u32 {
+    /// No pixel has a sample.
+    pub fn is_empty(&self) -> bool {
+        self.samples == 0 && !self.is_between()
+    }
+
+    /// Some pixels have a sample more than others.
+    pub fn is_between(&self) -> bool {
+        self.level.is_some() || self.rows > 0
+    }
+
+    /// Samples that some pixel has.
+    pub fn most_samples(&self) -> u32 {
+        self.samples + u32::from(self.is_between())
+    }
+
+    /// The pixels that stand for all of the film, each for its block; none before there are such.
+    pub fn shows(&self) -> Option<Lattice> {
         match (self.begun, self.samples) {
-            (false, _) => 0,
-            (true, 0) => self.rows,
-            (true, _) => height,
+            (false, _) => None,
+            (true, 0) => self.level.map(corners),
+            (true, _) => Some(Lattice::default()),
+        }
+    }
+
+    /// Samples of all pixels of the window together.
+    pub fn traced(&self, window: UVec2) -> u64 {
+        let whole = u64::from(self.samples) * Lattice::default().pixels(window);
+        let level = self.level.map_or(0, |level| corners(level).pixels(window));
+        whole + level + u64::from(self.rows) * u64::from(self.sweep.pixels.size(window).x)
+    }
+
+    /// A batch was added to the film of such a window.
+    pub fn add(&mut self, batch: &Batch, window: UVec2) {
+        self.sweep = batch.sweep;
+        self.rows = batch.first_row + batch.rows;
+        if self.rows < self.sweep.pixels.size(window).y {
+            return;
+        }
+        self.rows = 0;
+        // A window may be too narrow or too low to have any pixel of a finer level.
+        let finer = |level: &u32| *level > 0 && refinement(level - 1).pixels(window) == 0;
+        let mut level = self.sweep.level;
+        while finer(&level) {
+            level -= 1;
+        }
+        self.level = Some(level).filter(|level| *level > 0);
+        if self.level.is_none() {
+            self.samples += batch.layers;
         }
     }
 }
@@ -47,8 +104,10 @@ impl FilmProgress {
 #[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Batch {
     pub first_sample: u32,
-    /// Samples a pixel; more than one only with all rows.
+    /// Samples a pixel; more than one only of whole films.
     pub layers: u32,
+    /// What rows are counted of.
+    pub sweep: Sweep,
     pub first_row: u32,
     pub rows: u32,
 }
@@ -59,8 +118,8 @@ impl Batch {
         self.layers == 0
     }
 
-    /// Samples of the batch, over all its pixels.
-    pub fn samples(&self, width: u32) -> u64 {
-        u64::from(self.layers) * u64::from(self.rows) * u64::from(width)
+    /// Samples of the batch, over all its pixels in such a window.
+    pub fn samples(&self, window: UVec2) -> u64 {
+        u64::from(self.layers) * u64::from(self.rows) * u64::from(self.sweep.pixels.size(window).x)
     }
 }

@@ -9,10 +9,10 @@ mod textures;
 
 pub use compiling::CompileListener;
 pub use device::{Budget, Device, Frame, Live, Spent, Tree, TreeBuilder, Viewed};
-pub use film::{Batch, FilmProgress};
+pub use film::{Batch, FilmProgress, Sweep};
 pub use governor::Governor;
 pub use scene::{
-    Everything, Exposure, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief, SceneGeometry, Shot, Sky,
-    SkyCell, SkySource, Target, Texel,
+    Displayed, Endless, Everything, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief, SceneGeometry,
+    Shot, Sky, SkyCell, SkySource, Target, Texel,
 };
 pub use textures::{TextureSlot, TextureUse, Textures, texture_set};

@@ -14,6 +14,7 @@ use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
 use crate::layout::tree::Triangle;
+use crate::passes::film::Look;
 
 /// A pixel of the environment: radiance, linear Rec.709, and an unused word.
 #[repr(transparent)]
@@ -191,9 +192,13 @@ impl Shot {
     }
 }
 
-/// Stops by which the picture is brightened.
+/// How the film is shown.
 #[derive(Resource, Default, Clone, Copy, Debug)]
-pub struct Exposure(pub f32);
+pub struct Displayed(pub Look);
+
+/// Films go on for as long as they are let, whatever their settings say.
+#[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Endless(pub bool);
 
 /// Samples a pixel to reach.
 #[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]

@@ -27,9 +27,11 @@ pub fn show(ui: &mut Ui, world: &mut World, size: f64) -> bool {
 
 /// A line for each field.
 fn numbers(ui: &mut Ui, light: &mut PointLight, size: f64) {
-    ui.label("position");
+    ui.label("position").on_hover_text("in units of the scene");
     place(ui, &mut light.position, size);
-    ui.label("intensity");
+    ui.label("intensity").on_hover_text(
+        "radiant intensity, linear red, green and blue: at a distance d, a surface gets it divided by d squared",
+    );
     ui.horizontal(|ui| {
         for channel in light.intensity.as_mut() {
             let speed = 0.01 * f64::from(channel.max(1e-3));
@@ -39,13 +41,13 @@ fn numbers(ui: &mut Ui, light: &mut PointLight, size: f64) {
     });
     ui.end_row();
     if let Some(cone) = &mut light.cone {
-        ui.label("look_at");
+        ui.label("look_at").on_hover_text("a point on the axis of the cone, in units of the scene");
         place(ui, &mut cone.look_at, size);
-        ui.label("angle");
+        ui.label("angle").on_hover_text("between opposite edges of the cone, degrees");
         let [least, most] = SpotCone::ANGLES;
         ui.add(DragValue::new(&mut cone.angle).range(least..=most).speed(0.25).max_decimals(2));
         ui.end_row();
-        ui.label("blend");
+        ui.label("blend").on_hover_text("the part of the cone, from its edge inwards, over which the light grows");
         ui.add(DragValue::new(&mut cone.blend).range(0.0..=1.0).speed(5e-3).max_decimals(3));
         ui.end_row();
     }

@@ -54,7 +54,7 @@ fn textures(world: &mut World) -> BTreeMap<String, Entity> {
 fn sliders(ui: &mut Ui, material: &mut MtlMaterial) {
     egui::Grid::new("numbers").num_columns(2).show(ui, |ui| {
         for key in KEYS.iter().filter(|key| !matches!(key.value, Value::Map(..))) {
-            ui.label(key.label());
+            ui.label(key.label()).on_hover_text(key.doc);
             ui.horizontal(|ui| widget(ui, key, material));
             ui.end_row();
         }
@@ -88,7 +88,7 @@ fn number(ui: &mut Ui, value: &mut f32, range: Range) {
 fn optional(ui: &mut Ui, value: &mut Option<f32>, range: Range) {
     let mut given = value.is_some();
     ui.checkbox(&mut given, "");
-    *value = given.then(|| value.unwrap_or(0.5 * (range.least + range.slider)));
+    *value = given.then(|| value.unwrap_or(0.5 * (range.slider[0] + range.slider[1])));
     if let Some(value) = value {
         ui.add(Slider::new(value, range.of_slider()));
     }

@@ -100,6 +100,7 @@ impl Panel {
         family: Option<(&Listing, &str, &mut Thumbs)>,
     ) -> Outcome {
         let mut outcome = Outcome::default();
+        let samples = wanted_samples(engine);
         let fill = egui::Color32::from_rgba_unmultiplied(24, 24, 24, 235);
         let frame = egui::Frame::side_top_panel(ui.style()).fill(fill);
         egui::Panel::right("panel").frame(frame).default_size(300.0).show(ui, |ui| {
@@ -132,8 +133,17 @@ impl Panel {
                 section(ui, "Passes", false, |ui| passes::show(ui, &self.readings, self.software));
             });
         });
+        if wanted_samples(engine) != samples {
+            // Who says how many there are to be wants no more.
+            engine.set_endless(false);
+        }
         outcome
     }
+}
+
+/// Samples a pixel that the settings say.
+fn wanted_samples(engine: &Engine) -> Option<u32> {
+    engine.settings().map(|(_, render)| render.spp)
 }
 
 fn section(ui: &mut egui::Ui, title: &str, open: bool, content: impl FnOnce(&mut egui::Ui)) {

@@ -27,7 +27,8 @@ pub fn show(ui: &mut Ui, readings: &Readings) {
             ui.monospace(value);
             ui.end_row();
         };
-        row("samples", format!("{} of {}", readings.spp, readings.target));
+        let of = readings.target.map_or(String::new(), |target| format!(" of {target}"));
+        row("samples", format!("{}{of}", readings.spp));
         row("samples/s", short(readings.samples_per_second));
         row("rays/s", short(readings.rays_per_second));
         row("estimated relMSE", readings.error.map_or("-".to_owned(), |error| format!("{error:.3e}")));

@@ -31,7 +31,8 @@ pub struct Readings {
     /// Those that the scene needs.
     pub needed: Vec<String>,
     pub spp: u32,
-    pub target: u32,
+    /// None where the film goes on for as long as it is let.
+    pub target: Option<u32>,
     /// Of all pixels; 0 before the second reading.
     pub samples_per_second: f64,
     pub rays_per_second: f64,
@@ -61,7 +62,7 @@ impl Readings {
             features,
             needed: Vec::new(),
             spp: 0,
-            target: 0,
+            target: None,
             samples_per_second: 0.0,
             rays_per_second: 0.0,
             report: None,
@@ -151,7 +152,8 @@ impl Readings {
         // Noted first: what fails is not tried again at once.
         let last = self.film_read.replace((now, stamp));
         let report = engine.report()?;
-        (self.spp, self.target) = engine.samples();
+        let (spp, target) = engine.samples();
+        (self.spp, self.target) = (spp, (!engine.is_endless()).then_some(target));
         self.needed = engine.features().iter().cloned().collect();
         if last.is_none_or(|(_, (last, _))| last != began) {
             self.curve.clear();

@@ -50,7 +50,10 @@ pub fn show(ui: &mut Ui, world: &mut World) -> bool {
     lines.sort_by_key(|(panel, _)| panel.line);
     egui::Grid::new("settings").num_columns(2).show(ui, |ui| {
         for (panel, setting) in lines {
-            ui.label(panel.label);
+            let name = ui.label(panel.label);
+            if let Some(flag) = setting.flag {
+                name.on_hover_text(format!("{} (--{})", flag.help, flag.name));
+            }
             widget(ui, setting, &mut settings);
             ui.end_row();
         }
@@ -78,7 +81,8 @@ fn widget(ui: &mut Ui, setting: &Setting, settings: &mut Settings) {
 fn choice(ui: &mut Ui, choice: &mut dyn Choice) {
     ui.horizontal(|ui| {
         for word in choice.words() {
-            if ui.selectable_label(choice.index() == word.value, word.name).clicked() {
+            let label = ui.selectable_label(choice.index() == word.value, word.name);
+            if label.on_hover_text(word.help).clicked() {
                 choice.choose(word.value);
             }
         }
