@@ -16,7 +16,7 @@ use crate::components::{Film, Name, ShaderValues};
 use crate::gpu::{Code, Compiler, GpuError, GpuTable};
 use crate::layout::trace::MaterialRecord;
 use crate::scene::{self, Diagnostic, Loaded, SceneDescription, Severity};
-use crate::shader::{ErrorKind, Parameter};
+use crate::shader::ErrorKind;
 use crate::watch::{Linter, News, Outcome, Problem, ReloadEvent, Restarts, Sources, Wake, Watch, WatchError, values};
 
 /// What is watched, what of it runs, and what is on trial.
@@ -150,7 +150,7 @@ fn take_up_saves(world: &mut World) {
 }
 
 fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
-    let Outcome { saved, mut code, mut scene, warnings: slow, tied } = outcome;
+    let Outcome { saved, mut code, mut scene, warnings: slow, tied } = refuse_unfit(world, outcome);
     if reload.undone && !tied && (matches!(code, Some((_, Ok(_)))) || matches!(scene, Some((_, Ok(_))))) {
         // It was read before the worker knew.
         code = code.filter(|(_, code)| code.is_err());
@@ -160,26 +160,14 @@ fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
     if tied && matches!((&code, &scene), (Some((_, Ok(_))), Some((_, Ok(_))))) {
         (reload.undone, reload.trial.tied) = (false, true);
     }
-    let parameters = match &code {
-        Some((_, Ok(code))) => code.parameters(),
-        _ => world.resource::<Device>().0.parameters().clone(),
-    };
-    scene = scene.map(|(files, scene)| (files, scene.and_then(|scene| refuse_unfit(scene, &parameters))));
-    if tied && matches!(scene, Some((_, Err(_)))) {
-        code = code.filter(|(_, code)| code.is_err());
-    }
     let (mut good, mut bad) = (Vec::new(), Vec::new());
     let (mut any_good, mut problems, mut warnings) = (false, Vec::new(), Vec::new());
     match code {
         Some((files, Ok(code))) => {
             (any_good, good, warnings) = (true, files, slow);
             reload.problems.code.clear();
-            let fitting = unfit_now(world);
-            put_code(world, reload, code);
-            if scene.is_none() {
-                let fits = |unfit: &Diagnostic| !fitting.iter().any(|known| known.message == unfit.message);
-                warnings.extend(unfit_now(world).into_iter().filter(fits).map(as_warning));
-            }
+            let unfit = put_code_and_tell_unfit(world, reload, code);
+            warnings.extend(unfit.into_iter().filter(|_| scene.is_none()));
             // A scene that had to give way may do so no longer.
             if std::mem::take(&mut reload.retry_scene) {
                 reload.force();
@@ -218,10 +206,21 @@ fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
     }
 }
 
-/// A scene, unless it sets what no shader has, or can be set to.
-fn refuse_unfit(scene: Box<Loaded>, parameters: &[Parameter]) -> Result<Box<Loaded>, Vec<Problem>> {
-    let unfit = values::unfit(&scene.description.shader, &scene.shader_places, parameters);
-    if unfit.is_empty() { Ok(scene) } else { Err(unfit.into_iter().map(Problem::from).collect()) }
+/// Refuses a scene that sets what its shaders have not, or can't be set to; code that is tied to it goes with it.
+fn refuse_unfit(world: &World, mut outcome: Outcome) -> Outcome {
+    let parameters = match &outcome.code {
+        Some((_, Ok(code))) => code.parameters(),
+        _ => world.resource::<Device>().0.parameters().clone(),
+    };
+    let fit = |scene: Box<Loaded>| {
+        let unfit = values::unfit(&scene.description.shader, &scene.shader_places, &parameters);
+        if unfit.is_empty() { Ok(scene) } else { Err(unfit.into_iter().map(Problem::from).collect()) }
+    };
+    outcome.scene = outcome.scene.map(|(files, scene)| (files, scene.and_then(fit)));
+    if outcome.tied && matches!(outcome.scene, Some((_, Err(_)))) {
+        outcome.code = outcome.code.filter(|(_, code)| code.is_err());
+    }
+    outcome
 }
 
 /// Values of parameters that the shaders which run have no use for: edits of shaders may leave such behind.
@@ -230,10 +229,16 @@ fn unfit_now(world: &mut World) -> Vec<Diagnostic> {
     values::unfit(&set, &BTreeMap::new(), world.resource::<Device>().0.parameters())
 }
 
-/// Of a value that had a use until now.
-fn as_warning(unfit: Diagnostic) -> Problem {
-    let message = format!("{}; the default counts, if there is one", unfit.message);
-    Diagnostic { severity: Severity::Warning, message, ..unfit }.into()
+/// Puts other code in place. Returns warnings of values that had a use until now, and have none by this code.
+fn put_code_and_tell_unfit(world: &mut World, reload: &mut Reload, code: Code) -> Vec<Problem> {
+    let before = unfit_now(world);
+    put_code(world, reload, code);
+    let is_new = |unfit: &Diagnostic| !before.iter().any(|known| known.message == unfit.message);
+    let warning = |unfit: Diagnostic| {
+        let message = format!("{}; the default counts, if there is one", unfit.message);
+        Diagnostic { severity: Severity::Warning, message, ..unfit }.into()
+    };
+    unfit_now(world).into_iter().filter(is_new).map(warning).collect()
 }
 
 /// Runs other code from now on, and puts the film aside that the old code made.
