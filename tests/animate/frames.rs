@@ -1,27 +1,12 @@
 //! What frames share: each thing is done once, and each film is that of its scene alone.
 
 use std::path::Path;
-use std::time::Duration;
 
-use lucerna::Engine;
 use lucerna::image::PictureFile;
-use lucerna::scene::{self, Define};
-use lucerna::shader::Library;
+use lucerna::scene::Define;
 
-use super::{answer, done, folder, planned, scene, written};
-use crate::support::gpu;
-
-/// The pixels of a scene that is rendered alone, as bits.
-fn alone(scene: &Path, defines: &[Define]) -> Vec<u32> {
-    let description = scene::load(scene, defines).unwrap().description;
-    let mut engine = Engine::open(gpu(), Library::embedded(), &description).unwrap();
-    while !engine.step(Duration::from_millis(100)).unwrap().finished {}
-    bits(&engine.film().unwrap().rgb)
-}
-
-fn bits(rgb: &[[f32; 3]]) -> Vec<u32> {
-    rgb.as_flattened().iter().map(|channel| channel.to_bits()).collect()
-}
+use super::{answer, folder, planned, scene, written};
+use crate::support::families::{alone, bits, done};
 
 fn film(folder: &Path, frame: &str) -> Vec<u32> {
     let file = folder.join("result/animate/a/members").join(format!("{frame}.exr"));

@@ -11,10 +11,12 @@ mod wrong;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use lucerna::app::variants::record::{Answer, State};
+use lucerna::app::variants::record::Answer;
 use lucerna::scene::variants::{Family, frames};
 use lucerna::scene::{Assets, Diagnostics};
 use tempfile::TempDir;
+
+use crate::support::families;
 
 const OBJ: &str = "mtllib a.mtl\no thing\nusemtl grey\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n";
 const MTL: &str = "newmtl grey\nKd 0.6 0.6 0.6\nKs 0.2 0.2 0.2\nNs 20\n";
@@ -68,22 +70,10 @@ fn command(folder: &Path, arguments: &[&str]) -> Command {
 
 /// Runs the command to its end.
 fn run(folder: &Path, arguments: &[&str]) -> Output {
-    let run = command(folder, arguments).output().unwrap();
-    let said = String::from_utf8_lossy(&run.stderr).into_owned();
-    assert!(!said.contains("panicked"), "{arguments:?}: {said}");
-    run
+    families::run(command(folder, arguments))
 }
 
 /// The same with `--json --quiet`, which is to end with a code.
 fn answer(folder: &Path, arguments: &[&str], code: i32) -> Answer {
-    let run = run(folder, &[&["--json", "--quiet"], arguments].concat());
-    let said = String::from_utf8_lossy(&run.stderr).into_owned();
-    assert_eq!(run.status.code(), Some(code), "{arguments:?}: {said}");
-    serde_json::from_slice(&run.stdout).unwrap()
-}
-
-/// Names of the frames that are done.
-fn done(answer: &Answer) -> Vec<&str> {
-    let done = answer.records.iter().filter(|record| record.state == State::Done);
-    done.map(|record| record.name.as_str()).collect()
+    families::answer(command(folder, arguments), code)
 }

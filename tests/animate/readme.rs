@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use lucerna::scene::Assets;
 use lucerna::scene::variants::{frames, load};
 
-use super::{MTL, OBJ, answer, done};
+use super::{MTL, OBJ, answer};
+use crate::support::families::done;
 
 /// The block of docs/animations.md that has an animation.
 fn example() -> String {

@@ -2,7 +2,8 @@
 
 use std::process::Stdio;
 
-use super::{answer, command, done, folder, run, scene};
+use super::{answer, command, folder, run, scene};
+use crate::support::families::done;
 use crate::support::patience::Patience;
 
 #[test]

@@ -1,6 +1,7 @@
 //! What the tests share.
 
 pub mod dice;
+pub mod families;
 pub mod patience;
 pub mod plant;
 pub mod stage;

@@ -240,7 +240,7 @@ pub fn skylight(render: Render) -> Scene {
     let relief = Textures { relief: Some(heights([12, 7], 0.6)), ..Textures::default() };
     for (name, x, maps) in [("wavy", -2.8, relief), ("plain", 0.2, Textures::default())] {
         let mesh = quad(Vec3::new(x, 1.3, 3.0), 3.0 * Vec3::X, -4.0 * Vec3::Z, [Vec2::ZERO, Vec2::splat(3.0)]);
-        scene.part(name, mesh, DAffine3::IDENTITY, pane.clone(), maps);
+        scene.part(name, mesh, DAffine3::IDENTITY, pane, maps);
     }
     scene
 }

@@ -2,7 +2,8 @@
 
 use lucerna::app::variants::record::State;
 
-use super::{answer, command, done, folder, run};
+use super::{answer, command, folder, run};
+use crate::support::families::done;
 
 const FAMILY: &str = r#"(extends: "a.ron", sweep: {"materials.grey.ns": [5, 50]})"#;
 

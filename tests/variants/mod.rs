@@ -19,8 +19,10 @@ mod wrong;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use lucerna::app::variants::record::{Answer, Record, State};
+use lucerna::app::variants::record::{Answer, Record};
 use tempfile::TempDir;
+
+use crate::support::families;
 
 const SCENE: &str = r#"(
     models: [(path: "a.obj")],
@@ -55,26 +57,14 @@ fn command(folder: &Path, arguments: &[&str]) -> Command {
 
 /// Runs the command to its end.
 fn run(folder: &Path, arguments: &[&str]) -> Output {
-    let run = command(folder, arguments).output().unwrap();
-    let said = String::from_utf8_lossy(&run.stderr).into_owned();
-    assert!(!said.contains("panicked"), "{arguments:?}: {said}");
-    run
+    families::run(command(folder, arguments))
 }
 
 /// The same with `--json --quiet`, which is to end with a code.
 fn answer(folder: &Path, arguments: &[&str], code: i32) -> Answer {
-    let run = run(folder, &[&["--json", "--quiet"], arguments].concat());
-    let said = String::from_utf8_lossy(&run.stderr).into_owned();
-    assert_eq!(run.status.code(), Some(code), "{arguments:?}: {said}");
-    serde_json::from_slice(&run.stdout).unwrap()
+    families::answer(command(folder, arguments), code)
 }
 
 fn member<'a>(answer: &'a Answer, name: &str) -> &'a Record {
     answer.records.iter().find(|record| record.name == name).unwrap()
-}
-
-/// Names of those that are done.
-fn done(answer: &Answer) -> Vec<&str> {
-    let done = answer.records.iter().filter(|record| record.state == State::Done);
-    done.map(|record| record.name.as_str()).collect()
 }

@@ -6,7 +6,8 @@ use std::process::Stdio;
 
 use lucerna::app::variants::record::{Answer, State};
 
-use super::{answer, command, done, folder, member, run};
+use super::{answer, command, folder, member, run};
+use crate::support::families::done;
 use crate::support::patience::Patience;
 
 const FAMILY: &str = r#"(

@@ -2,16 +2,13 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::time::Duration;
 
-use lucerna::Engine;
 use lucerna::image::PictureFile;
+use lucerna::scene::Assets;
 use lucerna::scene::variants::plan;
-use lucerna::scene::{self, Assets};
-use lucerna::shader::Library;
 
-use super::{answer, done, folder, member, run};
-use crate::support::gpu;
+use super::{answer, folder, member, run};
+use crate::support::families::{alone, bits, done};
 
 /// Numbers of a material, cameras and samplers: 18 members.
 const SWEEP: &str = r#"(
@@ -23,18 +20,6 @@ const SWEEP: &str = r#"(
     },
 )
 "#;
-
-/// The pixels of a scene that is rendered alone, as bits.
-fn alone(scene: &Path, defines: &[scene::Define]) -> Vec<u32> {
-    let description = scene::load(scene, defines).unwrap().description;
-    let mut engine = Engine::open(gpu(), Library::embedded(), &description).unwrap();
-    while !engine.step(Duration::from_millis(100)).unwrap().finished {}
-    bits(&engine.film().unwrap().rgb)
-}
-
-fn bits(rgb: &[[f32; 3]]) -> Vec<u32> {
-    rgb.as_flattened().iter().map(|channel| channel.to_bits()).collect()
-}
 
 #[test]
 fn a_sweep_does_each_thing_once_and_members_are_as_alone() {
