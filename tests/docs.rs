@@ -6,9 +6,10 @@ use std::process::Command;
 
 use lucerna::app::help::PATHS;
 
-/// README.md and all pages of docs/.
+/// README.md, the guide to shaders, and all pages of docs/.
 fn pages() -> Vec<PathBuf> {
     let docs = std::fs::read_dir("docs").expect("docs/").map(|entry| entry.expect("an entry").path());
+    let docs = docs.filter(|path| path.extension().is_some_and(|ending| ending == "md"));
     [PathBuf::from("README.md"), PathBuf::from("shaders/README.md")].into_iter().chain(docs).collect()
 }
 

@@ -86,7 +86,7 @@ fn glass_in_a_furnace_is_invisible() {
 
 #[test]
 fn what_is_in_glass_has_an_index_of_its_own_times_that_around() {
-    // Radiance in a medium of index n is n^2 times that of the open. Every surface multiplies by its own Ni, as README.md has it: so a liquid
+    // Radiance in a medium of index n is n^2 times that of the open. Every surface multiplies by its own Ni, as docs/materials.md has it: so a liquid
     // in a glass needs their ratio, on the surface that they share.
     for (outer, inner, right) in
         [(1.5, 1.5, 1.5 * 1.5), (1.5, 1.33 / 1.5, 1.33), (1.33, 1.5 / 1.33, 1.5), (1.5, 1.0, 1.5)]

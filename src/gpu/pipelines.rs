@@ -16,7 +16,8 @@ use crate::shader::{
 /// What parameters of shaders are set to, by their names; those that are not in here have their defaults. A switch is 0 or 1.
 pub type Values = BTreeMap<String, f64>;
 
-/// Rounds of all loops of one invocation of an edited shader. The longest paths that a scene may ask for take half as many.
+/// Rounds of all loops of one invocation of an edited shader. The longest paths that a scene may ask for take 2,048;
+/// with shadow rays that go on through see-through surfaces, those of a depth up to 722 take less than this.
 const ROUNDS: u32 = 1 << 18;
 
 /// The same on drivers that draw on the processor: Mesa's ends every loop after 65,535 rounds and says nothing.

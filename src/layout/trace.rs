@@ -75,7 +75,7 @@ gpu_struct! {
         /// Density by solid angle with which the direction was drawn, before surfaces that it passed straight on; 0 where it could have been no
         /// other.
         pub pdf: f32,
-        /// From where it was drawn to the ray's origin: what it has passed straight on.
+        /// Length of the way since it was drawn, over surfaces that were passed straight on, up to the ray's origin.
         pub passed: f32,
         /// What undoes, for the chance to survive roulette, that radiance is squeezed in dense media: the index of refraction around
         /// the path, squared.

@@ -1,10 +1,11 @@
 //! Reads asset files for their messages alone.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use super::assets::Assets;
 use super::diagnostic::{Diagnostic, Diagnostics, Severity};
+use super::file::ShaderPlace;
 use super::kind::Kind;
 use super::lights;
 use super::load::{Loaded, attempt_in, bare};
@@ -13,6 +14,7 @@ use super::text::cannot_read;
 use super::textures::Loading;
 use super::unseen::unseen_by;
 use super::variants::{Family, Member, frames, is_family, load, plan};
+use crate::components::ShaderValues;
 use crate::files;
 
 /// What a check has read and found.
@@ -23,6 +25,20 @@ pub struct Checked {
     pub diagnostics: Diagnostics,
     /// The materials and lights of each file that no other one of them reads.
     pub tables: Vec<Table>,
+    /// What scenes and members of families ask of shaders, where they ask anything.
+    pub asked: Vec<Asked>,
+}
+
+/// What a scene, a member of a family or a frame asks of shaders.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// A folder of its own.
+    pub shaders: Option<PathBuf>,
+    /// Where that is written: an error without its message.
+    pub place: Diagnostic,
+    pub values: ShaderValues,
+    /// Where values are set, by their names.
+    pub places: BTreeMap<String, ShaderPlace>,
 }
 
 /// The materials of a scene, model or library, and the lights of a scene.
@@ -68,6 +84,7 @@ pub fn check(path: &Path) -> Checked {
             found.rows.sort_by(|a, b| a.name.cmp(&b.name));
             checked.tables.push(Table { file: file.clone(), rows: found.rows });
         }
+        checked.asked.extend(found.asked);
         read.extend(found.reads.into_iter().filter(|other| other != file).map(identity));
     }
     checked.tables.retain(|table| !read.contains(&identity(table.file.clone())));
@@ -100,6 +117,7 @@ struct Found {
     rows: Vec<Row>,
     /// The files it was read from.
     reads: Vec<PathBuf>,
+    asked: Vec<Asked>,
 }
 
 /// Reads a variant file, and all members as they would be loaded.
@@ -154,11 +172,31 @@ impl Found {
         let (loaded, reads) = load(family, member, &Loading::default(), assets);
         self.reads.extend(reads);
         let sound = loaded.is_ok();
-        self.diagnostics.list.extend(match loaded {
-            Ok(loaded) => loaded.warnings,
-            Err(errors) => errors.list,
-        });
+        let given = (member.shaders.clone(), member.place.clone());
+        let told = match loaded {
+            Ok(loaded) => {
+                self.ask(given, loaded.description.shader, loaded.shader_places);
+                loaded.warnings
+            }
+            Err(errors) => {
+                self.ask(given, ShaderValues::default(), BTreeMap::new());
+                errors.list
+            }
+        };
+        self.diagnostics.list.extend(told);
         sound
+    }
+
+    /// Keeps what is asked of shaders, if anything is.
+    fn ask(
+        &mut self,
+        (shaders, place): (Option<PathBuf>, Diagnostic),
+        values: ShaderValues,
+        places: BTreeMap<String, ShaderPlace>,
+    ) {
+        if shaders.is_some() || !values.0.is_empty() {
+            self.asked.push(Asked { shaders, place, values, places });
+        }
     }
 
     /// Reads the frames of a scene, where it has some, up to the first that is wrong: others are so by the same keys. Those of keys come
@@ -191,5 +229,7 @@ impl Found {
         }
         let listed = |(name, light): (&String, _)| Row { name: name.clone(), look: lights::appearance(light) };
         self.rows.extend(description.lights.iter().map(listed));
+        let place = Diagnostic::file(Severity::Error, path, "");
+        self.ask((None, place), loaded.description.shader, loaded.shader_places);
     }
 }

@@ -48,7 +48,7 @@ pub mod variants;
 pub use apply::{apply, apply_changes};
 pub use assets::Assets;
 pub use audit::{Audit, Audited, audit, audits};
-pub use check::{Checked, Row, Table, check};
+pub use check::{Asked, Checked, Row, Table, check};
 pub use define::{Define, Written};
 pub use describe::describe;
 pub use description::{MeshEntry, SceneDescription};

@@ -130,10 +130,7 @@ pub fn lint_edit(
 /// A finding as it is told.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("{text}")]
-#[diagnostic(
-    severity(Warning),
-    help("the picture goes on with it; shaders/README.md says what sampling and evaluation owe each other")
-)]
+#[diagnostic(severity(Warning), help("shaders/README.md says what sampling and evaluation owe each other"))]
 struct Warned {
     text: String,
 }

@@ -17,7 +17,7 @@ fn brightness(look: &Screenshot) -> f64 {
 }
 
 #[test]
-fn a_number_of_ones_own_is_in_the_panel_and_followed() {
+fn a_number_of_ones_own_is_taken_up_and_followed() {
     let mut person = Person::with_files();
     let replace = |file: &str, from: &str, to: &str| {
         let file = person.folder.path().join(file);
@@ -36,7 +36,7 @@ fn a_number_of_ones_own_is_in_the_panel_and_followed() {
     let path = path.replace("(*state).radiance += light;", "(*state).radiance += TIMES * light;");
     std::fs::write(person.folder.path().join(PATH), path).unwrap();
     let stderr = || std::fs::read_to_string(person.folder.path().join("stderr")).unwrap();
-    person.see("the section Shader", |look| {
+    person.see("the same picture by the new code", |look| {
         stderr().contains("path.wgsl taken up") && (brightness(look) - brightness(&plain)).abs() < 4.0
     });
 

@@ -146,8 +146,8 @@ fn what_was_saved_can_be_had_again_by_the_line_that_is_said() {
     person.quit();
 }
 
-/// How long after a key, a drag, another size or a save the first whole frame of the new state is there. A figure of the machine, so it is
-/// only printed.
+/// How long after a key, a drag, another size or a save the first whole frame of the new state is there: wanted are 0.2 s on two quiet cores
+/// without a graphics card, and 0.5 s after a save, and twice of that is too long. Busy cores say nothing, so it is asked with stress alone.
 #[test]
 fn time_to_the_first_frame_of_another_state() {
     if !support::stress() {
@@ -156,7 +156,7 @@ fn time_to_the_first_frame_of_another_state() {
     let person = Person::files_at("1024x768");
     person.see("the picture", |look| look.pixels.iter().any(|pixel| *pixel != [0; 3]));
     std::thread::sleep(Duration::from_secs(8));
-    let median = |what: &str, change: &mut dyn FnMut(u32)| {
+    let median = |what: &str, wanted: f64, change: &mut dyn FnMut(u32)| {
         let mut times: Vec<f64> = (0..9)
             .map(|turn| {
                 let before = person.look();
@@ -170,17 +170,18 @@ fn time_to_the_first_frame_of_another_state() {
             .collect();
         times.sort_by(f64::total_cmp);
         println!("{what}: median {:.0} ms, {:.0} to {:.0}", times[4] * 1e3, times[0] * 1e3, times[8] * 1e3);
+        assert!(times[4] < 2.0 * wanted, "{what}: {times:?}");
     };
-    median("key", &mut |turn| person.display.key(if turn % 2 == 0 { LOWER_F } else { ONE }));
+    median("key", 0.2, &mut |turn| person.display.key(if turn % 2 == 0 { LOWER_F } else { ONE }));
     person.display.point(300, 300);
     person.display.button(1, true);
-    median("drag", &mut |turn| person.display.point(300 + 25 * (turn as i16 + 1), 300));
+    median("drag", 0.2, &mut |turn| person.display.point(300 + 25 * (turn as i16 + 1), 300));
     person.display.button(1, false);
-    median("size", &mut |turn| person.display.resize(person.window, 1024 - 10 * (turn + 1), 768));
+    median("size", 0.2, &mut |turn| person.display.resize(person.window, 1024 - 10 * (turn + 1), 768));
     let file = person.folder.path().join("scene.ron");
     let text = std::fs::read_to_string(&file).unwrap();
     assert!(text.contains("fov_y: 60"));
-    median("save of the scene", &mut |turn| {
+    median("save of the scene", 0.5, &mut |turn| {
         std::fs::write(&file, text.replace("fov_y: 60", &format!("fov_y: {}", 50 - 3 * (turn % 2)))).unwrap();
     });
 }

@@ -272,6 +272,7 @@ fn trace_path(pixel: vec2<u32>, sample: u32) -> RadianceSample {
         var connection: Connection;
         var most = 2u * params.max_depth;
         @if(alpha || thin) {
+            // A shadow ray of bounce b goes on at most max_depth - 2 - b times.
             most += params.max_depth * params.max_depth / 2u;
         }
         for (var i = 0u; i < most; i++) {

@@ -8,13 +8,12 @@ import package::lib::intersect::{offset_ray_origin};
 @if(alpha || thin) import package::lib::intersect::{surface_point, triangle_normal};
 @if(lights || sky_light) import package::lib::light::{power_heuristic};
 @if(alpha || thin) import package::lib::math::{largest_of};
-@if((normals || relief) && (alpha || thin)) import package::lib::normals::{bent_to_viewer, facing};
 @if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, draw_light};
 @if(lights && point_lights) import package::passes::trace::connect::{is_point};
 @if(alpha || thin) import package::passes::trace::materials::{load_material};
 @if(alpha || thin) import package::passes::trace::scene::{load_leaf};
 import package::passes::trace::surface::{Surface};
-@if((normals || relief) && (alpha || thin)) import package::passes::trace::surface::{mesh_normal_at};
+@if((normals || relief) && (alpha || thin)) import package::passes::trace::surface::{mesh_shading_normal};
 @if(alpha || thin) import package::passes::trace::surface::{shading_frame_at};
 @if(thin && relief) import package::passes::trace::surface::{is_bent};
 @if(thin && relief) import package::passes::trace::textures::{load_maps};
@@ -23,9 +22,9 @@ import package::passes::trace::surface::{Surface};
 // path's segment: so both ways of finding a light see the same scene, however close to the light something lies.
 @if(lights || sky_light)
 struct Connection {
-    // To just beyond the light, or just before a speck of one.
+    // To just beyond the light, just before a point or a speck of one, or without end to the sky.
     ray: Ray,
-    // What is hit nearer than this hides the light for certain, and ends the traversal.
+    // What is hit nearer than this hides the light for certain, and ends the traversal; 0 where it may let light through.
     enough: f32,
     // What it adds to the pixel if that is seen; 0 where no shadow ray is needed.
     light: vec3<f32>,
@@ -97,7 +96,7 @@ fn pass_straight(connection: ptr<function, Connection>, hit: Hit) -> bool {
     let area_normal = triangle_normal(triangle.a, triangle.b, triangle.c);
     var frame = shading_frame_at(triangle, hit, area_normal, -ray.direction);
     @if(normals || relief) {
-        frame.shading = bent_to_viewer(facing(mesh_normal_at(triangle, hit, frame), frame.geometric), frame.geometric, frame.wo);
+        frame.shading = mesh_shading_normal(triangle, hit, frame);
     }
     let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
     let origin = offset_ray_origin(at.position, at.error, frame.geometric, ray.direction);

@@ -64,9 +64,9 @@ fn mesh_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame) -> vec3<f32
 // The normal that a surface is shaded by, on the side of its viewer.
 @if(normals || relief)
 fn shading_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame, @if(relief) texturing: Texturing) -> vec3<f32> {
-    let normal = mesh_normal_at(triangle, hit, frame);
     @if(relief) {
         if (texturing.maps.relief != 0u) {
+            let normal = mesh_normal_at(triangle, hit, frame);
             let side = facing(normal, frame.geometric);
             let bent = relieved(texturing.maps.relief, texturing.point, triangle.index, hit.b1, hit.b2, normal, texturing.others.x);
             // However steep a picture is, the facet is in front of what it says.
@@ -74,7 +74,13 @@ fn shading_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame, @if(reli
             return bent_to_viewer(bent_to_viewer(seen, side, frame.geometric), frame.geometric, frame.wo);
         }
     }
-    return bent_to_viewer(facing(normal, frame.geometric), frame.geometric, frame.wo);
+    return mesh_shading_normal(triangle, hit, frame);
+}
+
+// The same without a relief.
+@if(normals || relief)
+fn mesh_shading_normal(triangle: Triangle, hit: Hit, frame: ShadingFrame) -> vec3<f32> {
+    return bent_to_viewer(facing(mesh_normal_at(triangle, hit, frame), frame.geometric), frame.geometric, frame.wo);
 }
 
 // Whether a relief bends the normal by which a surface lets light pass.

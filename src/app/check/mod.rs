@@ -1,6 +1,6 @@
 //! `lucerna check`: assets and shaders, nothing rendered.
 
-mod families;
+mod asked;
 mod materials;
 mod shaders;
 mod surfaces;
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use self::families::wrong_code;
+use self::asked::refused;
 use crate::app::shared::failure::show;
 use crate::app::shared::output;
 use crate::app::shared::values::MORE;
@@ -90,8 +90,7 @@ impl Counts {
     /// Shows what is wrong with assets.
     fn add_assets(&mut self, checked: scene::Checked) {
         self.files += checked.files.len();
-        let code = checked.files.iter().flat_map(|file| wrong_code(file));
-        for diagnostic in checked.diagnostics.list.iter().chain(&code.collect::<Vec<_>>()) {
+        for diagnostic in checked.diagnostics.list.iter().chain(&refused(&checked.asked)) {
             match diagnostic.severity {
                 scene::Severity::Error => self.errors += 1,
                 scene::Severity::Warning => self.warnings += 1,

@@ -35,6 +35,10 @@ const NOTHING: &str = "interrupted before there was anything to write";
 /// Loads, renders, saves and reports. `started` is when the process began.
 pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
+    if arguments.quality.is_some() && arguments.flags.gives_samples() {
+        let message = "--quality and the number of samples both say when the render ends";
+        return Err(Failure::usage(message, "give one of --quality and --spp (or -D render.spp)"));
+    }
     let begin = Instant::now();
     let opened = arguments.flags.open(&arguments.scene, arguments.quiet)?;
     let library = arguments.flags.library(&opened)?;

@@ -46,7 +46,7 @@ impl Ended {
 impl Until {
     /// What flags say, over what the scene does: `of_scene` are its samples a pixel, where it gives them.
     pub fn of(arguments: &RenderArguments, of_scene: Option<u32>) -> Self {
-        let by_flag = arguments.flags.settings.gives("spp");
+        let by_flag = arguments.flags.gives_samples();
         match (arguments.time, arguments.quality) {
             // The scene's own number of samples is no limit.
             (Some(seconds), _) => Self { spp: of_scene.filter(|_| by_flag), seconds: Some(seconds), quality: None },

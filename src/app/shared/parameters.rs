@@ -5,9 +5,22 @@ use std::collections::BTreeMap;
 use crate::app::Failure;
 use crate::components::{ShaderValue, ShaderValues};
 use crate::engine::Engine;
-use crate::scene::{Diagnostics, ShaderPlace};
+use crate::scene::{Diagnostic, Diagnostics, Severity, ShaderPlace};
 use crate::shader::Library;
 use crate::watch::values::{takes, unfit};
+
+/// What is wrong with the values of a scene, and with the parameters of the library that draws it, which is told at `place`.
+pub fn wrong(
+    values: &ShaderValues,
+    places: &BTreeMap<String, ShaderPlace>,
+    library: &Library,
+    place: &Diagnostic,
+) -> Vec<Diagnostic> {
+    match library.parameters() {
+        Ok(parameters) => unfit(values, places, &parameters),
+        Err(error) => vec![Diagnostic { severity: Severity::Error, message: error.to_string(), ..place.clone() }],
+    }
+}
 
 /// Refuses values that no parameter of a library can be. `places` are where they are set.
 pub fn check(values: &ShaderValues, places: &BTreeMap<String, ShaderPlace>, library: &Library) -> Result<(), Failure> {

@@ -14,12 +14,12 @@ pub const MORE: &str = "More: `lucerna help COMMAND` says what values mean; `luc
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0    done
-  1    wrong input, or an error on the way
+  1    wrong input, an error on the way, a file that could not be written, or (`bench --against`) less efficiency
   2    the command line means nothing
   3    no graphics adapter that can be used: see `lucerna doctor`
   4    compared pictures differ by more than a --max flag allows
   5    judged shaders have another mean
-  6    whether judged shaders have another mean can't be told yet
+  6    whether they have can't be told yet
   130  interrupted; what there was, if anything, has been written";
 
 /// A length of time, seconds.

@@ -36,11 +36,16 @@ impl Codes {
 
     /// The number of a member's shaders, or what is wrong with them.
     pub fn number(&mut self, member: &Member) -> Result<usize, String> {
-        if let Some(number) = self.numbers.get(&member.shaders) {
+        self.number_of(&member.shaders)
+    }
+
+    /// The same by the folder of its own that it may have.
+    pub fn number_of(&mut self, shaders: &Option<PathBuf>) -> Result<usize, String> {
+        if let Some(number) = self.numbers.get(shaders) {
             return Ok(*number);
         }
         let mut library = self.opened(self.folder.clone())?;
-        if let Some(folder) = &member.shaders {
+        if let Some(folder) = shaders {
             library = self.opened(Some(folder.clone()))?.laid_over(&library);
         }
         // Another folder of the same files is the same code.
@@ -48,7 +53,7 @@ impl Codes {
         if number == self.libraries.len() {
             self.libraries.push(library);
         }
-        self.numbers.insert(member.shaders.clone(), number);
+        self.numbers.insert(shaders.clone(), number);
         Ok(number)
     }
 

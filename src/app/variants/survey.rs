@@ -8,11 +8,11 @@ use super::flags::FamilyFlags;
 use super::keys::{Keys, Numbering};
 use crate::app::Failure;
 use crate::app::shared::key::hash;
+use crate::app::shared::parameters;
 use crate::app::shared::pictures::watch_pictures;
 use crate::files::Digest;
 use crate::scene::variants::{self, Chosen, Family, Goal, Member};
 use crate::scene::{Assets, Diagnostic, Loading, SceneDescription, Severity};
-use crate::watch::values::unfit;
 
 /// The seed of the reference's own film: of no member that has a small one.
 const REFERENCE_SEED: u32 = 0x9e37_79b9;
@@ -128,11 +128,9 @@ impl Reader<'_> {
         }
         let mut description = loaded.description;
         let library = self.codes.library(code);
-        let parameters = library.parameters().map_err(|error| {
-            broken(Diagnostic { severity: Severity::Error, message: error.to_string(), ..member.place.clone() })
-        })?;
-        if let Some(unfit) = unfit(&description.shader, &loaded.shader_places, &parameters).into_iter().next() {
-            return Err(broken(unfit));
+        let wrong = parameters::wrong(&description.shader, &loaded.shader_places, library, &member.place);
+        if let Some(first) = wrong.into_iter().next() {
+            return Err(broken(first));
         }
         if self.flags.size == Some(description.film.size) {
             // A crop in pixels is one of the scene's own size.
