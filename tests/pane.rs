@@ -145,6 +145,20 @@ fn light_behind_panes_is_the_same_by_chance() {
     compare_integrators(&room).unwrap();
 }
 
+/// Panes in the plane of a lamp, before and behind it in the order of triangles, which says what is hit.
+#[test]
+fn a_lamp_in_the_plane_of_panes_is_the_same_by_chance() {
+    let mut room = Room { environment: Vec3::splat(0.5), ..Room::default() };
+    let white = room.material(matte(Vec3::splat(0.73), Vec3::ZERO));
+    let tinted = room.material(thin(1.5, Vec3::new(0.8, 0.9, 1.0)));
+    let lamp = room.material(matte(Vec3::ZERO, Vec3::new(4.0, 3.0, 2.0)));
+    room.walls([Some(white), Some(white), Some(white), None, Some(white), None]);
+    room.quad(Vec3::new(-0.8, 0.5, -0.8), 0.8 * Vec3::X, 1.6 * Vec3::Z, tinted);
+    room.quad(Vec3::new(-0.8, 0.5, -0.8), 1.6 * Vec3::X, 1.6 * Vec3::Z, lamp);
+    room.quad(Vec3::new(-0.8, 0.5, 0.2), 1.6 * Vec3::X, 0.6 * Vec3::Z, tinted);
+    compare_integrators(&room).unwrap();
+}
+
 #[test]
 fn a_tiny_light_shines_through_panes() {
     let lamp = Lamp { centre: DVec3::new(0.3, 1.5, 0.1), ..OVERHEAD };

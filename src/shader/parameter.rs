@@ -7,6 +7,8 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
+use naga::keywords::wgsl;
+
 use super::error::{ErrorKind, Place, ShaderError, Source};
 use super::token::Token;
 
@@ -154,6 +156,12 @@ pub fn all_of(source: &Arc<Source>, tokens: &[Token]) -> Result<Vec<Parameter>, 
     Ok(found)
 }
 
+/// Whether a name is one of WGSL's own: a word of the language, a type or function that is there already, or what it leaves to nobody.
+fn is_taken(name: &str) -> bool {
+    let words = [wgsl::RESERVED, wgsl::BUILTIN_IDENTIFIERS];
+    name == "_" || name.starts_with("__") || words.iter().any(|words| words.contains(&name))
+}
+
 /// Whether a declaration starts at a token of a module's top level.
 pub fn starts(source: &Arc<Source>, tokens: &[Token], at: usize) -> bool {
     Declaration { source, tokens }.starts(at)
@@ -197,6 +205,10 @@ impl<'a> Declaration<'a> {
         let name = self.text(at + 1).to_owned();
         if !name.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             return Err(self.error(named, "`override` wants a name here"));
+        }
+        if is_taken(&name) {
+            let message = format!("`{name}` is a word of WGSL: a parameter wants another name");
+            return Err(self.error(named, message));
         }
         let (colon, kind) = (self.text(at + 2), self.text(at + 3));
         let kind = ParameterKind::of(kind).filter(|_| colon == ":" && self.text(at + 4) == "=");

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use lucerna::scene::{Define, SceneDescription, load};
 
-use super::{folder_with, lucerna, refused};
+use super::{folder_with, lucerna, names, refused};
 
 /// Materials of every kind, and names that are to be quoted.
 const MTL: &str = "newmtl grey\nKd 0.6 0.6 0.6\nnewmtl \"pot\"\nKd 0.1 0.2 0.3\nKs 0.25 0.25 0.25\nNs 40\nillum 2\n\
@@ -91,4 +91,22 @@ fn a_model_with_lamps_of_its_own_gets_no_sky() {
     let folder = folder_with("a.mtl", b"newmtl grey\nKe 5 5 5\n");
     assert!(lucerna(folder.path(), &["new", "lit", "a.obj"]).status.success());
     assert!(loaded(&folder.path().join("lit.ron")).environment.is_none());
+}
+
+#[test]
+fn what_names_no_scene_or_no_model_is_refused_before_anything_is_written() {
+    let folder = folder_with("x", b"");
+    let before = names(folder.path());
+    for (arguments, told) in [
+        (&["a.obj"][..], "a.obj: is a model's name, and no scene's"),
+        (&["./a.OBJ", "--force"], "lucerna new a ./a.OBJ"),
+        (&["a", "a.ron", "--force"], "a.ron: is a scene file, and no model"),
+        (&[".", "a.obj"], "is no name of a file"),
+        (&["./", "a.obj"], "is no name of a file"),
+        (&[".hidden", "a.obj"], "is no name of a file"),
+    ] {
+        let said = refused(2, folder.path(), &[&["new"], arguments].concat());
+        assert!(said.contains(told), "{arguments:?}: {said}");
+    }
+    assert_eq!(names(folder.path()), before);
 }

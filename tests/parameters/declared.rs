@@ -77,6 +77,11 @@ fn wrong_declarations_are_told_where_they_stand() {
         ("override A: f32 = inf;", (1, 19), "is `inf`: it wants a number"),
         ("override A: f32 = ;", (1, 19), "it wants a number"),
         ("override : f32 = 1.0;", (1, 10), "wants a name"),
+        ("override while: f32 = 1.0;", (1, 10), "`while` is a word of WGSL"),
+        ("override f32: f32 = 1.0;", (1, 10), "`f32` is a word of WGSL"),
+        ("override clamp: f32 = 1.0;", (1, 10), "`clamp` is a word of WGSL"),
+        ("override _: f32 = 1.0;", (1, 10), "`_` is a word of WGSL"),
+        ("override __x: f32 = 1.0;", (1, 10), "`__x` is a word of WGSL"),
     ] {
         let modules = library(&[("t/p", text)]);
         // Whoever links it is told, and whoever asks what there is; which attributes are conditions, only a link knows.

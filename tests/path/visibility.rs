@@ -83,8 +83,8 @@ fn ending_early() -> Library {
     let parts = [
         ("passes/trace/shadow", "offset / far, far * drawn.end)", "offset / far, far * (1.0 - 0x1p-16))"),
         (
-            "passes/trace/path",
-            "hit.triangle == connection.triangle || hit.triangle == NO_HIT",
+            "passes/trace/shadow",
+            "hit.triangle == connection.triangle || (hit.triangle == NO_HIT && connection.ends_before)",
             "hit.triangle == NO_HIT",
         ),
     ];

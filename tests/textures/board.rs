@@ -230,6 +230,16 @@ pub fn glass_ball(render: Render) -> Scene {
     ball_of(render, material, maps)
 }
 
+/// A grey wall under a lamp with holes.
+pub fn grille(render: Render) -> Scene {
+    let mut scene = Scene::new(8, render);
+    let holes = Textures { opacity: Some(number([5, 3], Channel::Red)), ..Textures::default() };
+    scene.lamp(Vec3::new(5.0, 4.5, 4.0), holes);
+    let grey = Material { diffuse: Vec3::splat(0.7), ..Material::default() };
+    scene.part("wall", patch(0, 1, [Vec2::ZERO, Vec2::ONE]), DAffine3::IDENTITY, grey, Textures::default());
+    scene
+}
+
 /// A grey wall under the lamp, with panes between the two: of one half of the lamp a pane with relief, of the other a plain one.
 pub fn skylight(render: Render) -> Scene {
     let mut scene = Scene::new(8, render);

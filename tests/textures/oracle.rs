@@ -11,7 +11,7 @@ use lucerna::oracle::Oracle;
 use lucerna::shader::Library;
 use lucerna::{Engine, scene};
 
-use super::board::{COLUMNS, Scene, ball, glass_ball, skylight, wall};
+use super::board::{COLUMNS, Scene, ball, glass_ball, grille, skylight, wall};
 use super::leaves::{self, leaves};
 use crate::statistics::{BATCHES, Pairs, agree};
 use crate::support;
@@ -192,6 +192,18 @@ fn relief_on_glass_equals_the_oracle() {
     assert_eq!(seeing(1.01, &films, &rights, "the ball of glass"), 4);
     let films = ours(&mut engine, &with(&scene, inside_out), 2, spp);
     assert!(differing(&differences(&films, &rights), "inside out") > 0, "heights inside out went unnoticed");
+}
+
+#[test]
+fn a_lamp_with_holes_equals_the_oracle() {
+    let spp = if support::stress() { 16_384 } else { 2048 };
+    let scene = grille(render(Integrator::Path));
+    let rights = right(&scene, 2, spp);
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &scene.description).unwrap();
+    let films = ours(&mut engine, &scene, 2, spp);
+    let wrong = differences(&films, &rights);
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert_eq!(seeing(1.01, &films, &rights, "the wall under a lamp with holes"), 4);
 }
 
 #[test]

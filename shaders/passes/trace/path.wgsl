@@ -32,7 +32,7 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{load_leaf, scene_extent};
-@if(lights || sky_light) import package::passes::trace::shadow::{Connection, connect};
+@if(lights || sky_light) import package::passes::trace::shadow::{Connection, connect, sees_light};
 @if((lights || sky_light) && (alpha || thin)) import package::passes::trace::shadow::{pass_straight};
 @if(sky || sky_light) import package::passes::trace::sky::{sky_found};
 import package::passes::trace::surface::{Surface, shading_frame_at, surface_at};
@@ -278,7 +278,7 @@ fn trace_path(pixel: vec2<u32>, sample: u32) -> RadianceSample {
         for (var i = 0u; i < most; i++) {
             let hit = extend(&state, ray, extent, select(0.0, connection.enough, is_shadow_ray));
             if (is_shadow_ray) {
-                let seen = hit.triangle == connection.triangle || hit.triangle == NO_HIT;
+                let seen = sees_light(connection, hit);
                 if (seen) {
                     alive = add_radiance(&state, connection.light, NO_MATERIAL) && alive;
                 }

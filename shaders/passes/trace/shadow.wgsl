@@ -1,7 +1,6 @@
 // Shadow rays: to a light that is sampled, and on through what lets its light straight on.
 
-import package::gen::{PathState, Ray, TraceParams, T_FAR};
-@if(alpha || thin) import package::gen::{Hit};
+import package::gen::{Hit, PathState, Ray, TraceParams, NO_HIT, T_FAR};
 @if(lights || sky_light) import package::lib::bsdf::mixture::{mixture_evaluate};
 @if(alpha || thin) import package::lib::bsdf::straight::{lets_through, passed_straight};
 import package::lib::intersect::{offset_ray_origin};
@@ -30,6 +29,8 @@ struct Connection {
     light: vec3<f32>,
     // The light's triangle, or NO_HIT.
     triangle: u32,
+    // The ray ends before the light, or nowhere: nothing is hit where nothing hides it.
+    ends_before: bool,
     // How many surfaces it may yet pass straight on.
     @if(alpha || thin) passes: u32,
     // To a light without extent.
@@ -54,6 +55,7 @@ fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u
     var connection: Connection;
     connection.light = light;
     connection.triangle = drawn.triangle;
+    connection.ends_before = drawn.end < 1.0;
     if (drawn.end == 0.0) {
         connection.ray = Ray(origin, 0.0, drawn.direction, T_FAR);
         connection.enough = T_FAR;
@@ -73,6 +75,12 @@ fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u
         }
     }
     return connection;
+}
+
+// Whether what a shadow ray has hit, or missed, leaves its light to be seen. One that misses a light it was to hit has met a hole of it.
+@if(lights || sky_light)
+fn sees_light(connection: Connection, hit: Hit) -> bool {
+    return hit.triangle == connection.triangle || (hit.triangle == NO_HIT && connection.ends_before);
 }
 
 // Takes a shadow ray on through what it has hit, weighted by what goes straight on there; whether anything does. A relief would change what a

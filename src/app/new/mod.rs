@@ -35,10 +35,7 @@ pub struct NewArguments {
 
 /// Reads the model, writes the scene, and says what to do next.
 pub fn run(arguments: &NewArguments) -> Result<Exit, Failure> {
-    let path = match arguments.name.extension() {
-        Some(ending) if ending.eq_ignore_ascii_case("ron") => arguments.name.clone(),
-        _ => with_ending(&arguments.name, "ron"),
-    };
+    let path = scene_path(&arguments.name)?;
     if path.exists() && !arguments.force {
         let message = format!("{}: is there already", path.display());
         return Err(Failure::usage(message, "choose another name, or write over it with --force"));
@@ -47,6 +44,10 @@ pub fn run(arguments: &NewArguments) -> Result<Exit, Failure> {
         Some(model) => model.clone(),
         None => default_model(&path)?,
     };
+    if has_ending(&model, "ron") {
+        let message = format!("{}: is a scene file, and no model", model.display());
+        return Err(Failure::usage(message, "name a model: lucerna new NAME MODEL.obj"));
+    }
     let loaded = scene::load(&model, &[Define::given("film.size", SIZE)])?;
     loaded.warnings.iter().for_each(|warning| show(warning));
     file::prepare(&path)?;
@@ -60,6 +61,27 @@ pub fn run(arguments: &NewArguments) -> Result<Exit, Failure> {
         loaded.description.materials.len(),
     ))?;
     Ok(Exit::Done)
+}
+
+/// The file of a scene's name.
+fn scene_path(name: &Path) -> Result<PathBuf, Failure> {
+    let refused = |message: &str, help: String| Failure::usage(format!("{}: {message}", name.display()), help);
+    if has_ending(name, "obj") {
+        let stem = quoted(&name.file_stem().unwrap_or_default().to_string_lossy());
+        let help = format!("for this model: lucerna new {stem} {}", quoted(&name.display().to_string()));
+        return Err(refused("is a model's name, and no scene's", help));
+    }
+    let whole = name.to_string_lossy();
+    let last = whole.rsplit(std::path::is_separator).next().unwrap_or_default();
+    if last.is_empty() || last.starts_with('.') {
+        let help = "name the scene: lucerna new NAME MODEL.obj".to_owned();
+        return Err(refused("is no name of a file that is seen", help));
+    }
+    Ok(if has_ending(name, "ron") { name.to_path_buf() } else { with_ending(name, "ron") })
+}
+
+fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending))
 }
 
 /// The model of the scene's name beside it; else the teapot, where this program finds it.
