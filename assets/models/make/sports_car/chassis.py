@@ -5,7 +5,7 @@ import numpy as np
 from edges import rim
 from mesh import joined, smooth, unit
 from panels import ARCHES
-from shapes import disk, lathe, oriented, plate, soft_loft, sweep, tube
+from shapes import disk, lathe, oriented, plate, soft_loft, sweep
 from shell import pair, planar
 from surface import on_top
 
