@@ -115,6 +115,13 @@ def step(x):
     return x * x * (3 - 2 * x)
 
 
+def undercut(y, z):
+    """How far the ends before and behind the wheels are drawn in towards the road, below a crease that rises outwards."""
+    ahead, behind = step((z - 1.72) / .10), step((-1.76 - z) / .10)
+    crease = .235 + .10 * np.clip(np.abs(z) - 1.75, 0, .4)
+    return (ahead + behind) * .040 * np.clip((crease - y) / .14, 0, 1) ** .8
+
+
 def sculpt(p):
     """What the cage is too coarse for: flared arches, the scallop below the flank's edge before the side intake, a crease on the bonnet."""
     x, y, z = p.T
@@ -122,9 +129,10 @@ def sculpt(p):
     out = np.zeros_like(x)
     for centre, height, radius, flare in ((FRONT_AXLE, .335, .360, .022), (REAR_AXLE, .348, .379, .020)):
         r = np.hypot(z - centre, y - height)
-        out += side * flare * bump((r - radius) / .13) * step((y - .12) / .15)
-    scallop = step((.42 - z) / 1.0) * step((z + .93) / .06) * bump((y - .46 + .05 * z) / .16)
-    out -= side * .045 * scallop
+        out += side * flare * bump((r - radius) / .13) * (.7 + .3 * step((y - .12) / .15))
+    scallop = step((.42 - z) / 1.0) * step((z + .93) / .10) * bump((y - .46 + .05 * z) / .20) ** 1.5
+    out -= side * .040 * scallop
+    out -= undercut(y, z)
     p = p.copy()
     p[:, 0] += out
     on_top = (z > .98) & (y > .4)

@@ -5,7 +5,7 @@ import numpy as np
 from edges import rim
 from mesh import joined, smooth, unit
 from panels import ARCHES
-from shapes import disk, lathe, oriented, plate, soft_loft, sweep, tube
+from shapes import disk, lathe, oriented, plate, soft_loft, sweep
 from shell import pair, planar
 from surface import on_top
 
@@ -53,7 +53,7 @@ def lower_edge(skin, low, high, height):
 
 def splitter(skin):
     """A blade of carbon under the front bumper."""
-    p = lower_edge(skin, 1.72, 3, .13)
+    p = lower_edge(skin, 1.80, 3, .13)
     p = p[np.argsort(p[:, 0])][:, [0, 2]]
     keep = [p[0]]
     for q in p[1:]:
@@ -63,27 +63,27 @@ def splitter(skin):
     t = np.gradient(p, axis=0)
     out = unit(np.stack([-t[:, 1], t[:, 0]], 1))
     out[0] = (0, 1)
-    grow = np.interp(p[:, 0], [0, .5, .88, .95], [.040, .035, .018, .006])[:, None]
+    grow = np.interp(p[:, 0], [0, .5, .80, .90], [.022, .020, .014, .004])[:, None]
     outer = p + out * grow
     inner = p - out * .05
     outline = np.concatenate([outer, inner[::-1], (inner * (-1, 1))[1:], (outer * (-1, 1))[::-1][:-1]])
-    blade = plate("splitter", "carbon", outline, .100, .114)
+    blade = plate("splitter", "trim_black", outline, .100, .116)
     return [planar(blade, (0, 2), 30)]
 
 
 def diffuser():
     """A ramp with fins between the lower corners of the tail."""
     parts = []
-    ramp = plate("ramp", "carbon", [(.135, -1.55), (.30, -2.135), (.315, -2.13), (.15, -1.54)], -.58, .58, axes=(1, 2), up=0)
+    ramp = plate("ramp", "carbon", [(.135, -1.55), (.30, -2.135), (.315, -2.13), (.15, -1.54)], -.53, .53, axes=(1, 2), up=0)
     parts.append(planar(ramp, (0, 2), 30))
     for x in (-.45, -.27, -.09, .09, .27, .45):
         fin = plate("fin", "trim_black", [(.120, -1.66), (.165, -2.06), (.205, -2.13), (.245, -2.145), (.292, -2.13), (.15, -1.60)], x - .005, x + .005, axes=(1, 2), up=0)
         parts.append(fin)
     # Above the ramp is a face, behind the exhausts.
-    for x in (-.585, .585):
-        parts.append(plate("fin", "trim_black", [(.150, -1.68), (.205, -2.04), (.265, -2.125), (.345, -2.10), (.345, -1.9), (.20, -1.66)], x - .008, x + .008, axes=(1, 2), up=0))
+    for x in (-.535, .535):
+        parts.append(plate("fin", "trim_black", [(.150, -1.68), (.205, -2.00), (.265, -2.085), (.345, -2.06), (.345, -1.9), (.20, -1.66)], x - .008, x + .008, axes=(1, 2), up=0))
     fins = joined("diffuser_fins", parts[1:])
-    wall = plate("diffuser_wall", "trim_black", [(.29, -2.09), (.43, -2.06), (.43, -2.05), (.29, -2.08)], -.66, .66, axes=(1, 2), up=0)
+    wall = plate("diffuser_wall", "trim_black", [(.29, -2.09), (.43, -2.06), (.43, -2.05), (.29, -2.08)], -.55, .55, axes=(1, 2), up=0)
     return [parts[0], fins, wall]
 
 
@@ -93,8 +93,8 @@ def exhausts():
         pipe = lathe("exhaust", "exhaust", [(-.16, .046), (.010, .050), (.016, .0535), (.022, .054), (.025, .0525), (.024, .050), (.012, .047), (-.14, .044)], 40, 40)
         inside = lathe("exhaust_inside", "gap_black", [(-.13, .0442), (-.13, 0)], 24)
         m = np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]], float)
-        sign = 1 if x > 0 else -1
-        for part in (oriented(pipe), inside):
+        collar = lathe("exhaust_collar", "gloss_black", [(-.10, .058), (.016, .060), (.024, .064), (.028, .069), (.024, .074), (-.02, .078), (-.10, .078)], 40, 40)
+        for part in (oriented(pipe), inside, oriented(collar)):
             out.append(part.moved(m, (x, .352, -2.155), part.name + ("_left" if x > 0 else "_right")))
     return out
 
@@ -104,6 +104,16 @@ def squared(half, height, power, steps=16, lean=0.0):
     turn = np.arange(steps) * 2 * np.pi / steps
     c, s = np.cos(turn), np.sin(turn)
     return np.sign(c) * np.abs(c) ** power * half, np.sign(s) * np.abs(s) ** power * height * (1 + lean * c)
+
+
+def mirror_arm():
+    """A blade that grows out of a broad foot at the corner of the side window and bears the shell."""
+    rings = []
+    for centre, along, thick in (((.735, .782, .615), .125, .040), ((.790, .795, .600), .100, .030), ((.850, .815, .580), .062, .017),
+                                 ((.910, .848, .558), .044, .012), ((.955, .885, .545), .042, .012)):
+        u, v = squared(along, thick, .8, 10)
+        rings.append(np.stack([centre[0] - .5 * v, centre[1] + v, centre[2] + u], 1))
+    return soft_loft("leg", "gloss_black", rings, 1)
 
 
 def mirrors():
@@ -120,8 +130,7 @@ def mirrors():
     glass = np.stack([x + u, y + v, z - .004 - .55 * u], 1)
     pane = smooth("mirror_pane", "mirror", glass, [list(range(len(u)))[::-1]], 30)
     edge = sweep("mirror_edge", "gloss_black", glass + (0, 0, .004), disk(.0055, 8), 60, closed=True)
-    legs = [tube("leg", "gloss_black", [(.84, .79, .60), (.88, .812, .585), (.925, .850, .560), (.950, .880, .545)], .009, 10),
-            tube("leg", "gloss_black", [(.84, .79, .545), (.885, .812, .54), (.935, .850, .535), (.965, .880, .53)], .008, 10)]
+    legs = [mirror_arm()]
     out = []
     for part in (upper, lower, pane, oriented(edge), joined("mirror_legs", legs)):
         out += pair(part)

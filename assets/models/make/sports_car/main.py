@@ -14,6 +14,7 @@ import chassis
 import interior
 import land
 import lights
+import lips
 import materials
 import mesh
 import mtl
@@ -23,6 +24,7 @@ import road
 import shell
 import tail
 import textures
+import treeline
 import wheels
 
 # Textured materials whose parts have no coordinates of their own get them by the axis a face looks along.
@@ -37,7 +39,7 @@ def main():
     panels.cut(skin)
     panels.cut_roughly(rough)
     parts = shell.all_parts(skin, rough) + lights.all_parts(whole) + tail.all_parts(skin, whole)
-    parts += chassis.all_parts(whole) + wheels.wheels() + interior.all_parts()
+    parts += lips.all_parts(skin) + chassis.all_parts(whole) + wheels.wheels() + interior.all_parts()
     for part in parts:
         if part.uvs is None and part.material in BOXED:
             road.soft_uv(part, BOXED[part.material])
@@ -45,7 +47,7 @@ def main():
     mtl.write(MODELS / "sports-car.mtl", ["A sports car."], "sports-car", materials.CAR)
     # Of the road, what has most faces comes first, where indices are short.
     mesh.write(MODELS / "sports-car-road.obj", ["A road with kerb, wall and trees, for the sports car. Metres, y up. Made by make/sports_car/main.py."],
-               "sports-car-road.mtl", plants.all_parts() + road.all_parts() + land.all_parts(), "%.3f")
+               "sports-car-road.mtl", plants.all_parts() + treeline.all_parts() + road.all_parts() + land.all_parts(), "%.3f")
     mtl.write(MODELS / "sports-car-road.mtl", ["The sports car's road."], "sports-car", materials.ROAD)
     textures.write(MODELS / "sports-car")
 

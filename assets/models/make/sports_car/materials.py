@@ -21,7 +21,7 @@ CAR = [
     ("lamp_light", 0.8, 0.1, "Ns 100", "Ke 0.13 0.139 0.154"),
     ("indicator", (0.8, 0.35, 0.03), 0.2, "Ns 300", "Pr 0.15"),
     ("tail_lens", (0.11, 0.002, 0.003), 0.06, "Ns 6000", "Pr 0.02", "d 0.22", "Tf 0.95 0.08 0.06", "Ni 1.5"),
-    ("tail_light", (0.6, 0.02, 0.02), (0.1, 0.05, 0.05), "Ns 100", "Ke 0.9 0.02 0.015"),
+    ("tail_light", (0.6, 0.02, 0.02), (0.1, 0.05, 0.05), "Ns 100", "Ke 0.42 0.02 0.012"),
     ("tail_reflector", (0.35, 0.008, 0.01), (0.5, 0.03, 0.03), "Ns 300", "Pr 0.16"),
     ("grille", (0.06, 0.06, 0.062), 0.2, "Ns 200", "Pr 0.3", "map_d mesh.png"),
     ("grille_fine", (0.03, 0.03, 0.031), 0.08, "Ns 200", "Pr 0.3", "map_d mesh.png"),
@@ -37,7 +37,7 @@ CAR = [
     ("underbody", 0.02, 0, "Ns 5"),
     ("leather_dark", (0.17, 0.165, 0.165), 0.04, "Ns 40", "Pr 0.5"),
     ("leather", 0.8, 0.04, "Ns 40", "Pr 0.45", "map_Kd leather.png"),
-    ("alcantara", (0.3, 0.285, 0.27), 0, "Ns 5"),
+    ("alcantara", (0.13, 0.123, 0.117), 0, "Ns 5"),
     ("lining", (0.35, 0.35, 0.34), 0, "Ns 5"),
     ("carpet", (0.07, 0.07, 0.075), 0, "Ns 5"),
     ("belt", 0.03, 0.02, "Ns 20"),
@@ -45,9 +45,9 @@ CAR = [
 ]
 
 ROAD = [
-    ("asphalt", 0.5, 0.06, "Ns 12", "Pr 0.62", "map_Kd asphalt.jpg", "map_Bump -bm 0.35 asphalt-bump.jpg"),
+    ("asphalt", 0.5, 0.06, "Ns 12", "Pr 0.62", "map_Kd asphalt.jpg", "map_Bump -bm 0.24 asphalt-bump.jpg"),
     ("marking", 0.5, 0.05, "Ns 20", "Pr 0.5", "map_Kd marking.jpg"),
-    ("asphalt_new", (0.34, 0.34, 0.35), 0.06, "Ns 20", "Pr 0.55", "map_Kd asphalt.jpg", "map_Bump -bm 0.35 asphalt-bump.jpg"),
+    ("asphalt_new", (0.34, 0.34, 0.35), 0.06, "Ns 20", "Pr 0.55", "map_Kd asphalt.jpg", "map_Bump -bm 0.24 asphalt-bump.jpg"),
     ("bitumen", (0.018, 0.018, 0.019), 0.06, "Ns 60", "Pr 0.34"),
     ("iron", (0.055, 0.05, 0.046), (0.12, 0.115, 0.11), "Ns 60", "Pr 0.42"),
     ("gap", 0.006, 0, "Ns 1"),
@@ -62,5 +62,5 @@ ROAD = [
     ("leaves", 0.5, 0, "Ns 5", "map_Kd leaves.png", "map_d leaves.png"),
     ("wood", 0.5, 0, "Ns 5", "map_Kd wood.png", "map_d wood.png"),
     ("hills", 0.5, 0, "Ns 5", "map_Kd hills.jpg"),
-    ("mountains", (0.2, 0.235, 0.29), 0, "Ns 5"),
+    ("mountains", 0.5, 0, "Ns 5", "map_Kd mountains.jpg"),
 ]

@@ -3,10 +3,10 @@
 import numpy as np
 
 from cage import FRONT_AXLE, REAR_AXLE
-from fields import FRONT, SIDE, TOP, Outline, circle, mirrored
+from fields import FRONT, SIDE, TOP, Outline, circle, curve, mirrored
 
 ARCHES = ((FRONT_AXLE, .335, .360), (REAR_AXLE, .348, .379))
-GAP = .0095
+GAP = .0105
 
 side = lambda t, l: t[0] == "side"
 flank = lambda t, l: t[0] == "side" or (t[0] == "top" and t[2] >= 3)
@@ -23,12 +23,12 @@ deck = lambda t, l: t[0] == "top" and t[1] > 9 and t[2] < 4
 
 WINDSCREEN = mirrored([(0, .918), (.16, .908), (.30, .878), (.42, .835), (.52, .765), (.552, .70), (.556, .55), (.545, .38), (.522, .20),
                        (.500, .07), (.30, .105), (0, .118)])
-SIDE_WINDOW = [(.665, .800), (.52, .846), (.30, .928), (.05, 1.012), (-.15, 1.055), (-.36, 1.062), (-.50, 1.045), (-.585, .845), (-.40, .826),
-               (-.10, .813), (.30, .800)]
-QUARTER = [(-.555, 1.030), (-.68, .985), (-.84, .915), (-.80, .872), (-.64, .858)]
+SIDE_WINDOW = [*curve([(.675, .797), (.52, .850), (.30, .934), (.05, 1.018), (-.15, 1.060), (-.36, 1.068), (-.515, 1.048)], 4),
+               *curve([(-.588, .838), (-.40, .820), (-.10, .806), (.30, .793), (.60, .789)], 4)]
+QUARTER = [*curve([(-.556, 1.036), (-.68, .994), (-.79, .946), (-.862, .912)], 4), (-.822, .862), (-.632, .846)]
 # Black around both side windows, so that they look like one.
-DAYLIGHT = [(.70, .786), (.52, .866), (.30, .948), (.05, 1.032), (-.15, 1.075), (-.36, 1.082), (-.52, 1.064), (-.70, 1.002), (-.875, .920), (-.825, .854),
-            (-.64, .836), (-.40, .806), (-.10, .793), (.30, .780)]
+DAYLIGHT = [*curve([(.70, .786), (.52, .860), (.30, .944), (.05, 1.028), (-.15, 1.071), (-.36, 1.079), (-.52, 1.060), (-.70, 1.000), (-.885, .914)], 4),
+            *curve([(-.832, .850), (-.64, .834), (-.40, .809), (-.10, .796), (.30, .783), (.60, .778)], 4)]
 REAR_WINDOW = mirrored([(0, -.60), (.34, -.615), (.375, -.66), (.335, -.93), (.30, -.955), (0, -.955)])
 LID = mirrored([(0, -.565), (.39, -.585), (.445, -.70), (.40, -1.00), (.37, -1.40), (.40, -1.74), (.36, -1.80), (0, -1.80)])
 BONNET = mirrored([(0, 2.09), (.35, 2.07), (.52, 1.985), (.575, 1.80), (.555, 1.45), (.575, 1.10), (.60, .985), (.45, .965), (.20, .985), (0, .99)])
@@ -70,20 +70,20 @@ def fine(tag):
     if patch == "rear":
         return j < 2 or i > 2
     if patch == "side":
-        return i in (10, 11, 12) and j < 8 or i > 14
+        return 5 < i < 13 and j < 8 or i > 14
     return (i < 4 and j > 2) or (5 < i < 13 and j in (1, 2)) or i > 14 or (i > 11 and j == 1) or (i in (6, 7) and j < 3)
 
 
 def windows(skin):
     pick = lambda where, label: (lambda t, l: l == label and where(t, l))
     for name, outline, axes, where, radius in (
-            ("windscreen", WINDSCREEN, TOP, roof, .02), ("side_window", SIDE_WINDOW, SIDE, house, .03),
-            ("quarter", QUARTER, SIDE, house, .015)):
+            ("windscreen", WINDSCREEN, TOP, roof, .02), ("side_window", SIDE_WINDOW, SIDE, house, .012),
+            ("quarter", QUARTER, SIDE, house, .012)):
         window = Outline(outline, axes, radius)
         skin.region(name + "_seal", window, pick(where, "body"))
         skin.region(name + "_frit", window, pick(where, name + "_seal"), -.007)
-        skin.region(name, window, pick(where, name + "_frit"), -.034 if name == "windscreen" else -.022)
-    skin.region("pillar", Outline(DAYLIGHT, SIDE, .03), pick(house, "body"))
+        skin.region(name, window, pick(where, name + "_frit"), -.034 if name == "windscreen" else -.013)
+    skin.region("pillar", Outline(DAYLIGHT, SIDE, .012), pick(house, "body"))
 
 
 def cut(skin):

@@ -1,4 +1,4 @@
-"""Trees, the edge of a wood, and tufts of grass: leaves are cards, whose shape is cut out by alpha."""
+"""Trees and tufts of grass: leaves are cards, whose shape is cut out by alpha."""
 
 import numpy as np
 
@@ -43,6 +43,21 @@ class Cards:
         normals = unit(np.cross(self.rights, self.ups))
         return Part(name, material, points, faces, normals, [[k] * 4 for k in range(len(faces))], uvs, uv_corners)
 
+    def bent(self, name, material, fold=.45):
+        """As above, but each card is folded along its middle, so that none is ever seen as a line."""
+        points, faces, normals, corners, uv_corners = [], [], [], [], []
+        uvs = [(a + .5 * x, b + .5 * y) for a, b in CELLS for y in (0, 1) for x in (0, .5, 1)]
+        for c, u, r, cell in zip(self.centres, self.ups, self.rights, self.cells):
+            k, n = len(points), len(normals)
+            out = np.cross(r, u) / np.linalg.norm(u) * fold
+            points += [c - r - u - out, c - u + out, c + r - u - out, c - r + u - out, c + u + out, c + r + u - out]
+            normals += [np.cross(r + 2 * out, u), np.cross(r - 2 * out, u)]
+            for half in (0, 1):
+                faces.append([k + half, k + half + 1, k + half + 4, k + half + 3])
+                corners.append([n + half] * 4)
+                uv_corners.append([6 * cell + half + i for i in (0, 1, 4, 3)])
+        return Part(name, material, points, faces, unit(np.array(normals)), corners, uvs, uv_corners)
+
 
 def branch(start, heading, length, radius, steps=4, lift=.25):
     """A limb that bends upwards: its path and its bark."""
@@ -79,36 +94,15 @@ def tree(x, z, tall, rng, leaves, trunks, dense):
     for twig in twigs:
         for _ in range(dense):
             s = rng.random() * (len(twig) - 1)
-            at = twig[int(s)] * (1 - s % 1) + twig[int(s) + 1] * (s % 1) + rng.normal(0, .040, 3) * tall * (1, .75, 1)
-            leaves.leaf(at, unit(at - middle) + (0, .5, 0), rng.uniform(.030, .052) * tall, tone if rng.random() < .6 else None)
+            at = twig[int(s)] * (1 - s % 1) + twig[int(s) + 1] * (s % 1) + np.clip(rng.normal(0, .034, 3), -.07, .07) * tall * (1, .75, 1)
+            leaves.leaf(at, unit(at - middle) + (0, .5, 0), rng.uniform(.026, .046) * tall, tone if rng.random() < .6 else None)
 
 
 def trees():
     trunks, leaves = [], Cards(np.random.default_rng(299))
     for n, (x, z, tall) in enumerate(TREES):
-        tree(x, z, tall, np.random.default_rng(300 + n), leaves, trunks, 21 if np.hypot(x, z) < 30 else 15)
-    return [joined("trunks", trunks), leaves.part("leaves", "leaves")]
-
-
-def wood():
-    """The edge of a wood beyond the meadow: crowns that stand close, in three rows, the last the tallest."""
-    rng = np.random.default_rng(500)
-    cards = Cards(rng)
-    for row, (away, low, high) in enumerate(((58, 2.2, 4.5), (64, 5, 8), (71, 7, 11.5))):
-        z = -210.0
-        while z < 210:
-            x = -away - 5 * np.sin(z * .03 + 2) - rng.normal(0, 1.5)
-            # Here and there a gap, through which one sees the hills.
-            tall = rng.uniform(low, high) * (1 - .75 * np.exp(-((z + 62) / 16) ** 2)) * (1 - .6 * np.exp(-((z - 48) / 12) ** 2))
-            wide = tall * rng.uniform(.42, .62) + 1.0
-            foot = np.array((x, rise(x, z) - .3, z))
-            tone = int(rng.integers(4))
-            for _ in range(13):
-                d = unit(rng.normal(0, 1, 3) + (.6, .3, 0))
-                at = foot + d * (wide * .62, tall * .42, wide * .8) + (0, tall * .50, 0)
-                cards.leaf(at, d, rng.uniform(.20, .32) * (1.2 + .55 * tall), tone if rng.random() < .7 else None)
-            z += wide * rng.uniform(.75, 1.25)
-    return [cards.part("wood", "wood")]
+        tree(x, z, tall, np.random.default_rng(300 + n), leaves, trunks, 23 if np.hypot(x, z) < 30 else 14)
+    return [joined("trunks", trunks), leaves.bent("leaves", "leaves")]
 
 
 def tufts():
@@ -135,4 +129,4 @@ def tufts():
 
 
 def all_parts():
-    return trees() + wood() + tufts()
+    return trees() + tufts()

@@ -6,6 +6,8 @@ from mesh import joined, smooth, unit
 from shapes import box
 
 KERB, WALL = -1.72, -3.35
+# How far ahead and behind the wall is laid block by block.
+WALL_ENDS = 52.0
 
 
 def boxed_uv(part, scale, seed=None):
@@ -95,22 +97,45 @@ def ribbon(name, material, points, widths, height):
     return part
 
 
+def crack(rng, start, heading, count, wide):
+    """A crack that wanders in short steps, here and there nearly closed: its points and its ribbon."""
+    p, a, line = np.array(start), heading, []
+    for _ in range(count):
+        line.append(p)
+        a += rng.normal(0, .42) + .16 * (heading - a)
+        p = p + np.array((np.cos(a), np.sin(a))) * .045
+    taper = np.interp(np.arange(count), [0, 3, count - 4, count - 1], [.2, 1, 1, .1])
+    return line, ribbon("seals", "bitumen", line, wide * taper * rng.uniform(.25, 1.6, count), .002)
+
+
+def patch(rng):
+    """A mended place whose edges are worn, with a seal that has come off in places."""
+    corners = np.array(((.25, 4.9), (1.45, 5.0), (1.38, 7.6), (.32, 7.5), (.25, 4.9)))
+    rim = np.concatenate([a + (b - a) * np.linspace(0, 1, 24)[:-1, None] for a, b in zip(corners, corners[1:])])
+    rim = rim + rng.normal(0, .012, rim.shape)
+    points = np.array([(x, .001, z) for x, z in rim])
+    middle = len(points)
+    points = np.concatenate([points, [(rim[:, 0].mean(), .001, rim[:, 1].mean())]])
+    faces = [[middle, (k + 1) % middle, k] for k in range(middle)]
+    part = smooth("patch", "asphalt_new", points, faces, 60)
+    if part.normals[0][1] < 0:
+        part = smooth("patch", "asphalt_new", points, [f[::-1] for f in faces], 60)
+    part.uvs, part.uv_corners = points[:, [0, 2]] * .5, part.faces
+    edge = ribbon("patch_edge", "bitumen", np.concatenate([rim, rim[:1]]), np.clip(rng.normal(.010, .010, middle + 1), .001, .03), .002)
+    return [part, edge]
+
+
 def repairs():
     """Sealed cracks, a mended patch, a manhole cover and a gully by the kerb."""
     rng = np.random.default_rng(41)
     seals = []
-    for start, heading, count in (((4.6, -2.2), 2.5, 30), ((5.6, 5), 3.6, 34), ((3.2, -16), 1.7, 40), ((2.0, -7.5), .5, 22)):
-        p, a, line = np.array(start), heading, []
-        for _ in range(count):
-            line.append(p)
-            a += rng.normal(0, .22) + .06 * (heading - a)
-            p = p + np.array((np.cos(a), np.sin(a))) * .11
-        seals.append(ribbon("seals", "bitumen", line, np.interp(np.arange(count), [0, 3, count - 4, count - 1], [.006, .02, .02, .005]) * rng.uniform(.8, 1.2, count), .002))
+    for start, heading, count in (((4.6, -2.2), 2.5, 70), ((5.6, 5), 3.6, 80), ((3.2, -16), 1.7, 90), ((2.0, -7.5), .5, 50)):
+        line = crack(rng, start, heading, count, .009)
+        seals.append(line[1])
+        for k in range(9, count - 8, 14):
+            seals.append(crack(rng, line[0][k], heading + rng.choice((-1, 1)) * rng.uniform(.5, 1.2), int(rng.uniform(6, 18)), .005)[1])
     out = [joined("seals", seals)]
-    out.append(sheet("patch", "asphalt_new", (.25, 1.45), (4.9, 7.6), .001, .5))
-    rim = [(.25 + 1.2 * a, 4.9 + 2.7 * b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
-    out.append(joined("patch_edge", [ribbon("patch_edge", "bitumen", [np.array(u) + (np.array(v) - np.array(u)) * t for t in np.linspace(0, 1, 9)], rng.uniform(.03, .045, 9), .002)
-                                     for u, v in zip(rim, rim[1:])]))
+    out += patch(rng)
     turn = np.arange(40) * 2 * np.pi / 40
     ring = lambda r, h: [(3.35 + r * np.cos(a), h, -3.6 + r * np.sin(a)) for a in turn]
     radii = ((.36, .002), (.33, .006), (.318, .006), (.314, -.004), (.306, -.004), (.302, .004), (0, .004))
@@ -126,26 +151,26 @@ def repairs():
 
 
 def wall():
-    """Three courses of blocks near the car, each a little different, and a plain run beyond; cap stones on top."""
+    """Three courses of blocks, each a little different, and a plain run far beyond; cap stones on top."""
     blocks = []
     rng = np.random.default_rng(9)
     for course in range(3):
-        z = -16.0 - .23 * course
-        while z < 16:
+        z = -WALL_ENDS - .23 * course
+        while z < WALL_ENDS:
             long, high = rng.uniform(.36, .66), .215
             blocks.append(boxed_uv(block("wall_blocks", "wall", (WALL - .17 + rng.normal(0, .007), .108 + .111 + course * .222, z + long / 2),
                                          (.34, high, long - .014), .016, 0), .9, int(rng.integers(1e6))))
             z += long
     out = [joined("wall_blocks", blocks)]
-    out.append(box("wall_core", "mortar", (WALL - .17, .40, 0), (.24, .64, 31.6), .01, 1))
-    runs = [boxed_uv(block("wall_far", "wall", (WALL - .17, .10 + .333, sum(z) / 2), (.33, .70, z[1] - z[0]), .01, 0), .9, 5) for z in ((-200, -15.9), (15.9, 200))]
+    out.append(box("wall_core", "mortar", (WALL - .17, .40, 0), (.24, .64, 2 * WALL_ENDS - .4), .01, 1))
+    runs = [boxed_uv(block("wall_far", "wall", (WALL - .17, .10 + .333, sum(z) / 2), (.33, .70, z[1] - z[0]), .01, 0), .9, 5) for z in ((-200, .1 - WALL_ENDS), (WALL_ENDS - .1, 200))]
     out.append(joined("wall_far", runs))
     caps = []
-    z = -17.0
-    while z < 17:
+    z = -36.0
+    while z < 36:
         caps.append(boxed_uv(block("wall_caps", "wall_cap", (WALL - .17 + rng.normal(0, .004), .812 + rng.normal(0, .002), z + .45), (.42, .075, .892), .014), 1.0, int(rng.integers(1e6))))
         z += .9
-    for span in ((-200, -17), (z, 200)):
+    for span in ((-200, -36), (z, 200)):
         caps.append(boxed_uv(block("wall_caps", "wall_cap", (WALL - .17, .812, sum(span) / 2), (.42, .075, span[1] - span[0]), .014), 1.0, 3))
     out.append(joined("wall_caps", caps))
     return out

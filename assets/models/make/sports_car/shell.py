@@ -26,14 +26,20 @@ def planar(part, axes, scale):
     return part
 
 
+def blade(p):
+    """How far a skirt stands out: it leans out of the body's shadow towards its lower edge, and ends in the arches flush."""
+    ends = np.clip((np.minimum(.93 - p[:, 2], p[:, 2] + .91)) / .12, 0, 1)
+    return .030 * ends * np.clip((.172 - p[:, 1]) / .045, 0, 1)
+
+
 def panels(skin):
     out = []
     for name in PAINTED:
-        part = skin.part(name, "paint", {name}, fold=.020 if name != "body" else .024, lip=.0022)
+        part = skin.part(name, "paint", {name}, fold=.020 if name != "body" else .024, lip=.0034)
         out += pair(part) if name in ("door", "flap") else [both(part)]
     out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-.017)))
     out += pair(skin.part("handle", "gloss_black", {"handle"}, offset=.003, fold=.012, lip=.003))
-    out.append(both(skin.part("skirts", "carbon", {"skirt"}, fold=.01)))
+    out.append(both(skin.part("skirts", "carbon", {"skirt"}, offset=blade, fold=.012, lip=.003)))
     planar(out[-1], (2, 1), 30)
     slats = []
     for k in range(LOUVRES):
@@ -62,15 +68,15 @@ def linings(rough):
     cabin = lambda t: t[0] == "top" and 5 < t[1] < 12 and t[2] < 3
     doors = lambda t: (t[0] == "side" and 5 < t[1] < 11 and t[2] < 8) or (t[0] == "top" and 5 < t[1] < 11 and t[2] in (3, 4))
     engine = lambda t: t[0] == "top" and 11 < t[1] < 15 and t[2] < 2
-    lining = rough.part("lining", "lining", {"body", "windscreen_frit", "side_window_frit", "quarter_frit", "windscreen_seal", "side_window_seal",
-                                             "quarter_seal", "pillar"}, offset=-.018, pick=cabin)
+    lining = rough.part("lining", "lining", {"body"}, offset=-.018, pick=cabin)
+    posts = rough.part("post_lining", "trim_black", {"pillar", *(w + e for w in ("windscreen", "side_window", "quarter") for e in ("_frit", "_seal"))}, offset=-.018, pick=cabin)
     cards = rough.part("door_cards", "leather", {"body"}, offset=-.05, pick=doors)
     bay = rough.part("lid_inside", "gap_black", {"body"}, offset=-.045, pick=engine)
     tail = rough.part("tail_mesh", "grille_fine", {"body"}, offset=-.024, pick=lambda t: t[0] == "rear" and t[2] < 2)
     mouth = lambda t: t[0] == "front"
     mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, offset=-.085, pick=mouth)), (0, 1), 14)
     dark = both(rough.part("intake_back", "gap_black", {"body"}, offset=-.15, pick=mouth))
-    return [mesh, dark, both(planar(tail, (0, 1), 20)), both(lining.flipped()), both(cards.flipped()), both(bay)]
+    return [mesh, dark, both(planar(tail, (0, 1), 20)), both(lining.flipped()), both(posts.flipped()), both(cards.flipped()), both(bay)]
 
 
 def mouths(skin):

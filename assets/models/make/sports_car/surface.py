@@ -30,6 +30,12 @@ def on_face(skin, x, y, lift, sign):
     return np.array((x, y, z)) + n * lift, n
 
 
+def on_side(skin, z, y, lift):
+    """A point of the flank, lifted along its normal."""
+    x, n = nearest(skin, (y, z), (1, 2), 0, 1, .3)
+    return np.array((x, y, z)) + n * lift
+
+
 def look_along(direction):
     """A rotation that takes +x to a direction."""
     x = unit(np.asarray(direction, float))

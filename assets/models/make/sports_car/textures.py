@@ -50,11 +50,11 @@ def cracks(size, seed):
 
 def asphalt(folder):
     size = 1024
-    grain = dots(size, 26000, 1, (1.6, 4.6), (70, 165))
+    grain = dots(size, 60000, 1, (1.0, 2.9), (70, 165))
     patch = noise(size, ((3, 1), (7, .6), (17, .4)), 2)
     crack = cracks(size, 3)
     fine = noise(size, ((256, 1), (512, 1)), 4)
-    value = 86 + (grain - 110) * .42 + (patch - .5) * 26 + (fine - .5) * 22 - crack * 55
+    value = 104 + (grain - 110) * .40 + (patch - .5) * 26 + (fine - .5) * 22 - crack * 55
     save(folder, "asphalt.jpg", value[..., None] * (1, .985, .96) + (3, 3, 4), 84)
     height = 120 + (grain - 110) * 1.3 + (fine - .5) * 40 - crack * 110
     save(folder, "asphalt-bump.jpg", height, 80)
@@ -84,21 +84,57 @@ def concrete(folder):
 
 
 def foliage(size, count, seed, long, tones):
-    """Four cells of leaves, each a round heap of another tone, cut out by alpha."""
+    """Four cells of leaves, each some heaps of another tone that leave an irregular outline, cut out by alpha."""
     rng = np.random.default_rng(seed)
     sheet = Image.new("RGBA", (2 * size, 2 * size), (*tones[0], 0))
     for cell, tone in enumerate(tones):
         picture = Image.new("RGBA", (size, size), (*tone, 0))
         draw = ImageDraw.Draw(picture)
+        heaps = size * rng.uniform(.22, .78, (6, 2))
+        limit = long[1] * 1.3
         for _ in range(count):
-            a, r = rng.random() * 6.28, (.5 * size - long[1] * 1.1) * np.sqrt(rng.random())
-            x, y, t, s = size / 2 + r * np.cos(a), size / 2 + r * np.sin(a), rng.random() * 6.28, rng.uniform(*long)
+            x, y = np.clip(heaps[rng.integers(6)] + rng.normal(0, .105 * size, 2), limit, size - limit)
+            t, s = rng.random() * 6.28, rng.uniform(*long)
             leaf = [(s * np.cos(u) * 1.25, s * np.sin(u) * .55) for u in np.linspace(0, 6.28, 9)[:-1]]
             g = rng.uniform(.62, 1.32)
             draw.polygon([(x + p * np.cos(t) - q * np.sin(t), y + p * np.sin(t) + q * np.cos(t)) for p, q in leaf], fill=(*(int(c * g) for c in tone), 255))
         # The first cells are at the foot of the picture, where v is 0.
         sheet.paste(picture, (cell % 2 * size, (1 - cell // 2) * size))
     return sheet
+
+
+def crown(draw, rng, at, wide, high, tone, width):
+    """One crown of a wood seen from afar: heaps of leaves that are lighter above, over again where the picture repeats."""
+    dark = tuple(int(c * .5) for c in tone)
+    for shift in (-width, 0, width):
+        draw.ellipse((at[0] + shift - wide * .9, at[1] - high * .85, at[0] + shift + wide * .9, at[1] + high), fill=(*dark, 255))
+    for _ in range(70):
+        a, r = rng.random() * 6.28, np.sqrt(rng.random())
+        heap = at[0] + wide * r * np.cos(a), at[1] - high * r * np.sin(a)
+        light = .72 + .38 * r * np.sin(a) + rng.uniform(-.12, .12)
+        for _ in range(16):
+            x, y = heap + rng.normal(0, .10 * wide + 1.5, 2)
+            s, g = rng.uniform(.9, 2.4), light * rng.uniform(.75, 1.25)
+            for shift in (-width, 0, width):
+                if -4 < x + shift < width + 4:
+                    draw.ellipse((x + shift - s, y - s * .7, x + shift + s, y + s * .7), fill=(*(int(max(0, c * g)) for c in tone), 255))
+
+
+def treeline(width, height, seed):
+    """The edge of a wood over a ground that is dark to the foot, with a ragged top cut out by alpha."""
+    rng = np.random.default_rng(seed)
+    tones = ((58, 76, 40), (70, 84, 40), (50, 68, 42), (84, 86, 44))
+    picture = Image.new("RGBA", (width, height), (44, 58, 32, 0))
+    draw = ImageDraw.Draw(picture)
+    draw.rectangle((0, height * .72, width, height), fill=(30, 40, 22, 255))
+    for row, count in ((.42, 20), (.58, 24), (.76, 30)):
+        for x in rng.permutation(count):
+            wide = rng.uniform(.75, 1.35) * width / count * .72
+            high = min(wide * rng.uniform(.8, 1.25), height * row * .80)
+            at = (x + rng.uniform(.2, .8)) * width / count, height * row + rng.normal(0, 7)
+            draw.rectangle((at[0] - 2, at[1], at[0] + 2, height), fill=(30, 36, 22, 255))
+            crown(draw, rng, at, wide, high, tones[rng.integers(4)], width)
+    return picture
 
 
 def blades(size, count, tones):
@@ -123,8 +159,9 @@ def plants(folder):
     save(folder, "grass.jpg", tinted(value, (54, 68, 25), (126, 140, 66)) * (1 - .5 * dry) + .5 * dry * (154, 140, 82), 76)
     save(folder, "blades.png", blades(256, 60, ((80, 100, 42), (92, 110, 46), (86, 104, 44), (118, 118, 62))))
     save(folder, "leaves.png", foliage(192, 190, 23, (5, 10), ((70, 96, 38), (84, 104, 42), (60, 84, 40), (102, 108, 44))))
-    save(folder, "wood.png", foliage(192, 700, 27, (2.2, 4.8), ((62, 82, 40), (78, 92, 42), (52, 72, 42), (98, 98, 46))))
+    save(folder, "wood.png", treeline(1024, 256, 27))
     hills(folder)
+    mountains(folder)
 
 
 def hills(folder):
@@ -134,8 +171,15 @@ def hills(folder):
     leaf = noise(512, ((90, 1), (180, 1)), 26, (1, .6))
     land = tinted(fields, (104, 112, 74), (142, 138, 94)) * (1 - woods) + woods * tinted(leaf, (66, 82, 58), (94, 106, 76))
     up = np.linspace(1, 0, 512)[:, None, None]
-    haze = .50 - .24 * up
+    haze = .42 - .24 * up
     save(folder, "hills.jpg", land * (1 - haze) + haze * np.array((150, 160, 178)), 80)
+
+
+def mountains(folder):
+    """Slopes of wood and scree under thick haze."""
+    slopes = noise(512, ((7, 1), (16, .8), (40, .6), (110, .4)), 28, (1, 1.6))
+    haze = .62 + .14 * np.linspace(0, 1, 512)[:, None, None]
+    save(folder, "mountains.jpg", tinted(slopes, (40, 58, 46), (150, 146, 128)) * (1 - haze) + haze * np.array((128, 146, 176)), 80)
 
 
 def car(folder):

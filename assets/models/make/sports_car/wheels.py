@@ -67,12 +67,12 @@ def spokes(half, rim):
     for k in range(5):
         for s in (-1, 1):
             path, sections = [], []
-            for t in np.linspace(0, 1, 7):
+            for t in (0, .1, .25, .45, .65, .8, .91, 1):
                 r = .045 + (reach - .045) * t
                 spread = s * (.015 + .039 * t ** 1.15)
                 x = edge - .040 + .034 * t ** .8 - .008 * np.sin(np.pi * t)
-                w = .0165 - .0045 * np.sin(np.pi * t * .8) + .005 * t ** 4
-                d = .020 - .004 * t + .006 * t ** 6
+                w = .0150 - .0045 * np.sin(np.pi * t * .8) + .011 * (1 - t) ** 3 + .013 * t ** 6
+                d = .020 - .004 * t + .010 * t ** 6 + .006 * (1 - t) ** 3
                 path.append((x, r, spread))
                 sections.append([(-w, 0), (-w * .55, d * .42), (w * .55, d * .42), (w, 0), (w * .8, -d * 1.3), (-w * .8, -d * 1.3)])
             out.append(bar(path, sections).moved(turned(0, 72 * k)))
@@ -147,6 +147,6 @@ def wheel(kind, name, at, side, steer=0.0):
 def wheels():
     out = []
     for side, word in ((1, "left"), (-1, "right")):
-        out += wheel(FRONT_WHEEL, "front_" + word, (side * .868, .327, 1.325), side)
-        out += wheel(REAR_WHEEL, "rear_" + word, (side * .850, .3455, -1.325), side)
+        out += wheel(FRONT_WHEEL, "front_" + word, (side * .846, .327, 1.325), side)
+        out += wheel(REAR_WHEEL, "rear_" + word, (side * .824, .3455, -1.325), side)
     return out
