@@ -70,6 +70,20 @@ impl Library {
         Ok(library)
     }
 
+    /// The files of a folder that lies elsewhere than on the disk: the path of each below it, with `/`, and its bytes. `folder` stands
+    /// before that path in messages. Files that no import can name are passed over.
+    pub fn of(folder: &str, files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Self {
+        let mut library = Library::empty(folder.to_owned());
+        for (path, bytes) in files {
+            let path = Path::new(&path);
+            if let Some(name) = names::module_name(path).filter(|_| names::is_shader(path)) {
+                let source = library.decode(&name, &bytes);
+                library.modules.insert(name, source);
+            }
+        }
+        library
+    }
+
     /// `./shaders` where that is a folder of ours, else the embedded ones.
     pub fn shipped() -> Self {
         Library::local_folder().and_then(|folder| Library::open(folder).ok()).unwrap_or_else(Library::embedded)
@@ -225,7 +239,12 @@ impl Library {
             let message = format!("{}/{module}.wgsl: this file can't be read: {error}", self.folder);
             ShaderError::nowhere(ErrorKind::Read, message)
         })?;
-        let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&bytes);
+        self.decode(module, &bytes)
+    }
+
+    /// What the bytes of a file say.
+    fn decode(&self, module: &str, bytes: &[u8]) -> Result<Arc<Source>, ShaderError> {
+        let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
         match std::str::from_utf8(bytes) {
             Ok(text) => Ok(self.source(module, text.to_owned())),
             Err(error) => {

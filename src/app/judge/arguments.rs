@@ -6,6 +6,7 @@ use std::time::Instant;
 use clap::Args;
 use glam::UVec2;
 
+use super::commits::Commits;
 use super::core::{Plan, WITHIN};
 use crate::app::shared::values::{MORE, define, output, seconds, size};
 use crate::image::Output;
@@ -22,6 +23,12 @@ pub struct JudgeArguments {
     /// Folder of the shaders to be judged
     #[arg(long, value_name = "DIR", default_value = "shaders")]
     pub new: PathBuf,
+    /// Judge a commit by another, A..B (HEAD where one is left out), or the folder by the commit A: --new names the folder
+    #[arg(long, value_name = "A..B", conflicts_with = "old")]
+    pub git: Option<Commits>,
+    /// End as `git bisect run` asks: 0 means agree, 1 they differ, 125 can't be told, 128 and above nothing can be judged
+    #[arg(long)]
+    pub bisect: bool,
     /// End after so many seconds, compiling included, unless all is clear before [default: 30, without --films]
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,

@@ -2,7 +2,9 @@
 
 mod analysis;
 mod arguments;
+mod bisect;
 mod clock;
+mod commits;
 mod core;
 mod error;
 mod mark;
@@ -14,11 +16,12 @@ pub mod sizing;
 pub use self::core::{Judge, Plan, SECONDS, WITHIN};
 pub use analysis::{Analysis, End, Unknown, Verdict};
 pub use arguments::JudgeArguments;
+pub use commits::Commits;
 pub use error::JudgeError;
 pub use mark::marked;
 pub use series::Estimator;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use crate::app::shared::failure::show;
@@ -33,6 +36,7 @@ use crate::gpu::Gpu;
 use crate::image::{Outputs, Picture};
 use crate::scene::{self, Loaded, Loading};
 use crate::shader::Library;
+use commits::CommitError;
 use report::JudgeSummary;
 
 /// What is said of code that is the same.
@@ -40,11 +44,15 @@ pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 
 /// Judges until all is clear or the time is over, and reports.
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
+    let judged = judge(arguments);
+    if arguments.bisect { bisect::answer(judged) } else { judged }
+}
+
+fn judge(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     let begin = Instant::now();
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let (path, Loaded { description, files, shader_places, .. }) = describe(arguments)?;
-    let old = arguments.old.as_deref().map_or_else(|| Ok(Library::embedded()), Library::open)?;
-    let new = Library::open(&arguments.new)?;
+    let ([old, new], names) = sides(arguments)?;
     parameters::check_either(&description.shader, &shader_places, [&old, &new])?;
     let (mut outputs, prepared) = output::prepare(&arguments.output, &files)?;
     let gpu = Gpu::open()?;
@@ -59,6 +67,7 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
     let analysis = watch(&mut judge, arguments, &interrupt)?;
     let summary = JudgeSummary {
         arguments,
+        names: &names,
         path: &path,
         scene: &description.name,
         film: judge.film(),
@@ -74,6 +83,22 @@ pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
         (Verdict::CannotTell(_), _) => Exit::CannotTell,
         (Verdict::Agree(_), _) => Exit::Done,
     })
+}
+
+/// The shaders to judge by, and those to be judged; and what they are called.
+fn sides(arguments: &JudgeArguments) -> Result<([Library; 2], [String; 2]), Failure> {
+    let folder = |path: &Path| Ok::<_, Failure>((Library::open(path)?, path.display().to_string()));
+    let commit = |name: &str| commits::read(&arguments.new, name);
+    let (old, new) = match &arguments.git {
+        // That there is nothing to judge by is no fault of what is judged.
+        Some(Commits { old, new: Some(new) }) => (commit(old).map_err(Failure::of)?, commit(new)?),
+        Some(Commits { old, new: None }) => (commit(old).map_err(Failure::of)?, folder(&arguments.new)?),
+        None => {
+            let built_in = || Ok((Library::embedded(), "built in".to_owned()));
+            (arguments.old.as_deref().map_or_else(built_in, folder)?, folder(&arguments.new)?)
+        }
+    };
+    Ok(([old.0, new.0], [old.1, new.1]))
 }
 
 /// The scene as it is to be judged, with its path and all that was read for it.
@@ -143,6 +168,14 @@ fn tell(summary: &JudgeSummary, radiance: &[[f32; 3]], outputs: &mut Outputs) ->
         false => output::print(&summary.text(&names))?,
     }
     Ok(failures.is_empty())
+}
+
+impl From<CommitError> for Failure {
+    fn from(error: CommitError) -> Self {
+        // That a commit has none is its own fault; all else is not.
+        let exit = if matches!(error, CommitError::NoFolder { .. }) { Exit::BrokenShaders } else { Exit::Failed };
+        Self { exit, ..Self::of(error) }
+    }
 }
 
 impl From<JudgeError> for Failure {

@@ -14,6 +14,8 @@ use crate::stats::sign_flips::MISSED;
 /// All there is to say.
 pub struct JudgeSummary<'a> {
     pub arguments: &'a JudgeArguments,
+    /// What the shaders are called, the old ones first.
+    pub names: &'a [String; 2],
     /// The scene file.
     pub path: &'a Path,
     /// Its name.
@@ -50,8 +52,8 @@ impl JudgeSummary<'_> {
             "scene": self.scene,
             "scene_file": self.path.display().to_string(),
             "adapter": self.adapter,
-            "old_shaders": folder(self.arguments.old.as_deref()),
-            "new_shaders": folder(Some(&self.arguments.new)),
+            "old_shaders": self.names[0],
+            "new_shaders": self.names[1],
             "size": analysis.size.to_array(),
             "seed": self.arguments.seed,
             "spp": analysis.spp,
@@ -149,8 +151,8 @@ impl JudgeSummary<'_> {
         vec![
             ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
             ("scene", self.path.display().to_string()),
-            ("old", folder(self.arguments.old.as_deref())),
-            ("new", folder(Some(&self.arguments.new))),
+            ("old", self.names[0].clone()),
+            ("new", self.names[1].clone()),
             ("verdict", self.analysis.line()),
         ]
     }
@@ -174,9 +176,4 @@ fn difference(at: &Difference) -> Value {
         "p": at.p,
         "differs": at.differs,
     })
-}
-
-/// A folder's name as it is shown.
-fn folder(path: Option<&Path>) -> String {
-    path.map_or("built in".to_owned(), |path| path.display().to_string())
 }

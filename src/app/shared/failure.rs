@@ -26,6 +26,14 @@ pub enum Exit {
     MeansDiffer,
     /// Judged shaders may have another mean, or the same.
     CannotTell,
+    /// Shaders that don't link or compile.
+    BrokenShaders,
+    /// To `git bisect run`: the means of this commit differ.
+    Bad,
+    /// To `git bisect run`: this commit can't be judged.
+    Skipped,
+    /// To `git bisect run`: no commit can be judged.
+    Abandoned,
     /// Interrupted; what there was, if anything, has been written.
     Interrupted,
 }
@@ -35,12 +43,14 @@ impl Exit {
     pub fn code(self) -> u8 {
         match self {
             Exit::Done => 0,
-            Exit::Failed => 1,
+            Exit::Failed | Exit::BrokenShaders | Exit::Bad => 1,
             Exit::Usage => 2,
             Exit::NoAdapter => 3,
             Exit::Differs => 4,
             Exit::MeansDiffer => 5,
             Exit::CannotTell => 6,
+            Exit::Skipped => 125,
+            Exit::Abandoned => 128,
             Exit::Interrupted => 130,
         }
     }
@@ -101,6 +111,7 @@ impl From<GpuError> for Failure {
             | GpuError::NoSuchAdapter { .. }
             | GpuError::NoPresenter
             | GpuError::CannotPresent { .. } => Exit::NoAdapter,
+            GpuError::Shader(_) => Exit::BrokenShaders,
             _ => Exit::Failed,
         };
         Self { exit, report: error.into() }
@@ -121,7 +132,7 @@ impl From<Diagnostics> for Failure {
 
 impl From<ShaderError> for Failure {
     fn from(error: ShaderError) -> Self {
-        Self::of(error)
+        Self { exit: Exit::BrokenShaders, ..Self::of(error) }
     }
 }
 

@@ -20,6 +20,8 @@ Exit codes:
   4    compared pictures differ by more than a --max flag allows
   5    judged shaders have another mean
   6    whether they have can't be told yet
+  125  `judge --bisect`: this commit can't be told, and is skipped (1 is one whose means differ)
+  128  `judge --bisect`: no commit can be judged, and the search ends
   130  interrupted; what there was, if anything, has been written";
 
 /// A length of time, seconds.
