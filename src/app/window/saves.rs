@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use super::session::Session;
 use crate::app::shared::failure::show;
 use crate::app::shared::output;
-use crate::watch::ReloadEvent;
+use crate::watch::{ReloadEvent, Restarts};
 
 impl Session {
     /// Follows the events of the engine's last step. Each failure goes to the terminal once, and stands over the picture
@@ -22,6 +22,13 @@ impl Session {
                     problems.iter().for_each(|problem| show(&*problem.diagnostic));
                     self.follow_shaders(false);
                     self.draw_again();
+                }
+                ReloadEvent::Reloaded { files, restarts, .. }
+                    if restarts == Restarts::default()
+                        && self.saved_here.take_if(|own| files == [&**own]).is_some() =>
+                {
+                    // What was saved here is what is shown: that was said.
+                    self.follow_files();
                 }
                 ReloadEvent::Reloaded { files, restarts, warnings, since_save } => {
                     warnings.iter().for_each(|warning| show(&*warning.diagnostic));
