@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use lucerna::scene::Assets;
 use lucerna::scene::edit::edit;
+use lucerna::scene::{Assets, apply, describe};
 
 use super::changes::{KINDS, change};
 use super::{assert_same, read};
@@ -103,5 +103,20 @@ fn a_changed_value_touches_nothing_else() {
             let gone = &old[head..old.len() - tail];
             assert!(gone.len() < 60 && !gone.contains(['\n', ':']), "`{gone}` is gone\n{old}\n{new}");
         }
+    }
+}
+
+/// What the engine makes of a scene is described as the scene was: nothing of it is an edit.
+#[cfg(unix)]
+#[test]
+fn what_nobody_touched_is_not_written() {
+    let (_folder, scenes) = copies(|text| text);
+    let assets = Assets::new();
+    for scene in &scenes {
+        let (before, text) = read(scene, &assets);
+        let mut world = bevy_ecs::world::World::new();
+        apply(&mut world, &before);
+        let edited = edit(&text, &before, &describe(&world, &before.name)).expect("an edit");
+        assert!(edited.is_unchanged() && edited.left_out.is_empty(), "{}: {:?}", scene.display(), edited.paths);
     }
 }

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::files::cornell_box;
 use super::person::{Person, camera_of};
 use super::xvfb::await_some;
 
@@ -33,6 +34,23 @@ fn drag(person: &Person, from: (i16, i16), steps: i16) {
         std::thread::sleep(Duration::from_millis(15));
     }
     display.button(1, false);
+}
+
+/// A member is no file of its own: where its values are to be edited is said, and nothing is written.
+#[test]
+fn a_member_of_a_family_is_not_saved_and_that_is_told() {
+    let folder = cornell_box();
+    let family = "(extends: \"scene.ron\", members: { \"dim\": { \"film.exposure\": -1 } })";
+    std::fs::write(folder.path().join("family.ron"), family).unwrap();
+    let first = std::fs::read_to_string(folder.path().join("scene.ron")).unwrap();
+    let mut person = Person::in_folder(folder, "family.ron", &[]);
+    person.finish();
+    person.display.key(LOWER_B);
+    save(&person, "dim: is a member of family.ron, and what is changed in the window is not saved into that");
+    assert!(said(&person).contains("open scene.ron by itself"), "{}", said(&person));
+    let read = |name: &str| std::fs::read_to_string(person.folder.path().join(name)).unwrap();
+    assert_eq!((read("scene.ron"), read("family.ron")), (first, family.to_owned()));
+    person.quit();
 }
 
 #[test]
