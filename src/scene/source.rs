@@ -31,6 +31,11 @@ impl SceneText {
         Self(own.into_iter().chain(self.0.iter().skip(1).cloned()).collect())
     }
 
+    /// Whether the file extends another.
+    pub(super) fn extends(&self) -> bool {
+        self.0.len() > 1
+    }
+
     pub(super) fn own(&self) -> Option<&Text> {
         self.0.first().map(|text| &**text)
     }

@@ -1,6 +1,5 @@
 //! Ctrl+S in a session: what was changed in the window goes into the scene's file, and the user is told.
 
-use super::cameras;
 use super::scene_file::{Kept, Saved, Unsaved, save, save_model};
 use super::session::Session;
 use crate::app::shared::failure::{rendered, show};
@@ -20,10 +19,10 @@ impl Session {
     }
 
     fn try_save_edits(&mut self) -> Result<Saved, Unsaved> {
-        let view = self.viewpoint.camera;
-        self.engine.edit(|world| cameras::set_view(world, view));
         let name = self.name().to_owned();
-        let now = self.engine.describe(&name);
+        let mut now = self.engine.describe(&name);
+        // The engine's camera follows the view in the next frame.
+        now.cameras.insert(now.active.clone(), self.viewpoint.camera);
         let opened = self.opened();
         let description = self.engine.saved_scene().unwrap_or(&opened.description).clone();
         let text = self.engine.saved_text().filter(|text| text.file().is_some()).unwrap_or(&opened.text).clone();

@@ -31,6 +31,7 @@ impl Session {
                     self.follow_files();
                 }
                 ReloadEvent::Reloaded { files, restarts, warnings, since_save } => {
+                    self.saved_here = None;
                     warnings.iter().for_each(|warning| show(&*warning.diagnostic));
                     let names: Vec<_> = files.iter().filter_map(|file| file.file_name()).collect();
                     let what = match names.as_slice() {
