@@ -57,6 +57,7 @@ mod rooms;
 mod sampler;
 mod save;
 mod scene;
+mod scene_edit;
 mod scene_maps;
 mod schedule;
 mod schema;

@@ -5,6 +5,7 @@ mod display;
 #[cfg(target_os = "linux")]
 mod edits;
 mod family;
+mod files;
 mod flight;
 mod inspect;
 mod keys;
@@ -23,6 +24,8 @@ mod parameters;
 mod person;
 #[cfg(target_os = "linux")]
 mod room;
+#[cfg(target_os = "linux")]
+mod save;
 mod session;
 #[cfg(target_os = "linux")]
 mod states;

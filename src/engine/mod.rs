@@ -22,7 +22,7 @@ pub use report::Report;
 use crate::components::{self, Camera, Film, Render};
 use crate::gpu::{Code, Drawn, Fit, Gpu, Paint, Runtime, Surface};
 use crate::layout::view::ViewMode;
-use crate::scene::{self, SceneDescription};
+use crate::scene::{self, SceneDescription, SceneText};
 use crate::shader::{Library, Parameter};
 use crate::systems::resources::{
     Budget, CompileListener, Device, Endless, FilmProgress, Frame, Live, SceneGeometry, Shot, Sky, SkySource, Target,
@@ -296,6 +296,11 @@ impl Engine {
     /// The scene as its files were last taken up.
     pub fn saved_scene(&self) -> Option<&SceneDescription> {
         self.world.get_resource::<Reload>()?.description.as_ref()
+    }
+
+    /// The text of the scene's own file, as it was when that was last taken up.
+    pub fn saved_text(&self) -> Option<&SceneText> {
+        Some(&self.world.get_resource::<Reload>()?.text)
     }
 
     /// The shaders that are run.

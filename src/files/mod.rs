@@ -3,12 +3,14 @@
 
 mod digest;
 mod open;
+mod relative;
 mod stamp;
 mod trail;
 mod walk;
 
 pub use digest::Digest;
 pub use open::{NoFile, explained, open_regular, read, regular};
+pub use relative::relative;
 pub use stamp::Stamp;
 pub use trail::trail;
 pub use walk::{DEEPEST, Walk, walk};

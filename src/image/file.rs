@@ -72,6 +72,10 @@ fn write_whole(
     content(&mut out)?;
     out.flush()?;
     drop(out);
+    if let Ok(metadata) = std::fs::metadata(place) {
+        // A file that gives way to another one leaves it its permissions.
+        file.as_file().set_permissions(metadata.permissions())?;
+    }
     file.as_file().sync_data()?;
     file.persist(place).map_err(|failed| failed.error)?;
     Ok(())

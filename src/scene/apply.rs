@@ -8,8 +8,9 @@ use bevy_ecs::prelude::*;
 
 use super::description::{MeshEntry, SceneDescription};
 use super::mtl::MtlMaterial;
+use super::settings::{SETTINGS, Settings};
 use crate::components::{
-    self, Active, Camera, Environment, Film, Geometry, Lobe, Material, Name, PointLight, ShaderValues, Texture,
+    self, Active, Camera, Environment, Film, Geometry, Lobe, Material, Name, PointLight, Render, ShaderValues, Texture,
     UsesMaterial,
 };
 
@@ -53,8 +54,7 @@ pub fn apply_changes(world: &mut World, earlier: Option<&SceneDescription>, desc
         set_change(world, lights[name], earlier.and_then(|e| e.lights.get(name)), light);
     }
     let film = match_by_name::<Film>(world, [&"film".to_owned()])["film"];
-    set_change(world, film, earlier.map(|e| &e.film), &description.film);
-    set_change(world, film, earlier.map(|e| &e.render), &description.render);
+    apply_settings(world, film, earlier, description);
     apply_values(world, film, earlier.map(|e| &e.shader), &description.shader);
     let name = "environment".to_owned();
     let environments = match_by_name::<Environment>(world, description.environment.iter().map(|_| &name));
@@ -147,6 +147,24 @@ fn set<T: Component<Mutability = Mutable> + Clone + PartialEq>(world: &mut World
             world.entity_mut(entity).insert(value.clone());
         }
     }
+}
+
+/// Writes the settings, each of them unless the description says what it said earlier.
+fn apply_settings(world: &mut World, film: Entity, earlier: Option<&SceneDescription>, description: &SceneDescription) {
+    let of = |scene: &SceneDescription| Settings { film: scene.film, render: scene.render };
+    let wanted = of(description);
+    let held = world.get::<Film>(film).copied().zip(world.get::<Render>(film).copied());
+    let now = match (earlier.map(of), held) {
+        (Some(earlier), Some((film, render))) => {
+            let mut now = Settings { film, render };
+            let others = SETTINGS.iter().filter(|setting| !setting.is_same(&earlier, &wanted));
+            others.for_each(|setting| setting.copy(&wanted, &mut now));
+            now
+        }
+        _ => wanted,
+    };
+    set(world, film, &now.film);
+    set(world, film, &now.render);
 }
 
 /// Writes the parameters of shaders, each of them unless the description says what it said earlier.

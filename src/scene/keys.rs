@@ -246,7 +246,7 @@ impl Value {
             }
             Self::Colour(colour, _) => format!("colour, 0 to {}", colour.most_in_mtl()),
             Self::Number(range, _) => format!("{} to {}", range.least, range.most),
-            Self::Optional(range, _) => format!("{} to {}, or none", range.least, range.most),
+            Self::Optional(range, _) => format!("{} to {}, or `None`", range.least, range.most),
             Self::Switch(_) => "true or false".to_owned(),
             Self::Whole(most, _) => format!("0 to {most}, whole"),
             Self::Map(..) => "a file, with options; or `None`".to_owned(),

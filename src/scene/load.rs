@@ -20,6 +20,7 @@ use super::obj::read_obj;
 use super::place::{Placed, place};
 use super::read::Reading;
 use super::sky::read_sky;
+use super::source::SceneText;
 use super::suggest::{did_you_mean, known_names};
 use super::text::missing;
 use super::textures::{self, Loading};
@@ -42,6 +43,8 @@ pub struct Loaded {
     pub origins: BTreeMap<String, Origin>,
     /// Where shaders' parameters are set, by their names.
     pub shader_places: BTreeMap<String, ShaderPlace>,
+    /// The scene file as it was read.
+    pub text: SceneText,
 }
 
 /// Where a material comes from.
@@ -89,13 +92,15 @@ pub fn attempt_in(
         origins: BTreeMap::new(),
         shader_places: BTreeMap::new(),
         given: BTreeSet::new(),
+        text: SceneText::default(),
     };
     let description = loader.load(scene, defines, animated, loading);
     let files = loader.files.clone();
     let loaded = match description {
         Some(description) if !loader.diagnostics.has_errors() => {
-            let Loader { diagnostics, files, unfinished, given, origins, shader_places, .. } = loader;
-            Ok(Loaded { description, warnings: diagnostics.list, files, unfinished, given, origins, shader_places })
+            let Loader { diagnostics, files, unfinished, given, origins, shader_places, text, .. } = loader;
+            let warnings = diagnostics.list;
+            Ok(Loaded { description, warnings, files, unfinished, given, origins, shader_places, text })
         }
         _ => Err(loader.diagnostics),
     };
@@ -115,6 +120,7 @@ struct Loader<'s> {
     origins: BTreeMap<String, Origin>,
     shader_places: BTreeMap<String, ShaderPlace>,
     given: BTreeSet<&'static str>,
+    text: SceneText,
 }
 
 impl Loader<'_> {
@@ -128,6 +134,7 @@ impl Loader<'_> {
         let Self { assets, files, diagnostics, .. } = self;
         let mut file = Reading { assets, files, diagnostics, animated }.scene(scene, defines)?;
         self.given = std::mem::take(&mut file.given);
+        self.text = std::mem::take(&mut file.text);
         let mut meshes = BTreeMap::new();
         let mut materials = BTreeMap::new();
         let placed = place(&file.models, &mut self.diagnostics);

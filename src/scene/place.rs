@@ -40,7 +40,7 @@ pub fn place(entries: &[ModelEntry], diagnostics: &mut Diagnostics) -> Vec<Optio
 }
 
 /// The names of models, in their order; none for one whose name is taken.
-fn names(entries: &[ModelEntry], diagnostics: &mut Diagnostics) -> Vec<Option<String>> {
+pub fn names(entries: &[ModelEntry], diagnostics: &mut Diagnostics) -> Vec<Option<String>> {
     let mut taken = BTreeMap::new();
     let name = |entry: &ModelEntry| {
         if let Some(name) = entry.name.as_ref().filter(|name| taken.contains_key(*name)) {

@@ -10,6 +10,7 @@ use super::file::{
 };
 use super::kind::Kind;
 use super::ron::{Node, Reader, apply_defines, define_texts, parse};
+use super::source::SceneText;
 use super::text::Text;
 
 /// Bytes that a scene file may have.
@@ -76,7 +77,9 @@ impl Reading<'_> {
         let extends = take_extends(&mut root)?;
         let Some(extends) = extends else {
             let root = over.into_iter().rev().fold(root, |base, over| merge(base, over, plain_field));
-            return self.typed(root, defines);
+            let mut file = self.typed(root, defines)?;
+            file.text.put_before(text);
+            return Ok(file);
         };
         over.push(root);
         let next = chain.add(&extends)?;
@@ -84,7 +87,9 @@ impl Reading<'_> {
             let message = format!("`{}` is {what}: a scene extends scenes only", extends.name);
             return Err(Diagnostic { message, ..extends.place }.help("name a scene file (.ron)"));
         }
-        self.chain(&next, over, chain, defines)
+        let mut file = self.chain(&next, over, chain, defines)?;
+        file.text.put_before(text);
+        Ok(file)
     }
 
     /// Types a tree that was changed by defines.
@@ -97,6 +102,27 @@ impl Reading<'_> {
         self.diagnostics.list.extend(reader.into_diagnostics());
         Ok(file)
     }
+}
+
+/// The tree that a scene's texts come to, each written over those that it extends; none without a text.
+pub fn merged(text: &SceneText) -> Result<Option<Node<'_>>, Diagnostic> {
+    let mut base: Option<Node> = None;
+    for text in text.all().rev() {
+        let mut root = scene_fields(parse(text)?);
+        take_extends(&mut root)?;
+        base = Some(match base {
+            Some(base) => merge(base, root, plain_field),
+            None => root,
+        });
+    }
+    Ok(base)
+}
+
+/// The same, typed; and what is wrong with it.
+pub fn retyped(text: &SceneText) -> Result<(SceneFile, Diagnostics), Diagnostic> {
+    let reader = Reader::default();
+    let file = merged(text)?.map(|root| read_scene(&reader, &root, true)).unwrap_or_default();
+    Ok((file, reader.into_diagnostics()))
 }
 
 /// What a file is by its ending, where that is no scene.

@@ -364,6 +364,13 @@ impl Setting {
         }
     }
 
+    /// Whether some settings have the same value as others.
+    pub fn is_same(&self, one: &Settings, other: &Settings) -> bool {
+        let mut copied = *one;
+        self.copy(other, &mut copied);
+        copied == *one
+    }
+
     /// The value as its flag has it; as a scene file has it, where it has no flag.
     pub fn text(&self, settings: &Settings) -> String {
         let settings = &mut { *settings };

@@ -15,7 +15,7 @@ use super::restart::start_again;
 use crate::components::{Film, Name, ShaderValues};
 use crate::gpu::{Code, Compiler, GpuError, GpuTable};
 use crate::layout::trace::MaterialRecord;
-use crate::scene::{self, Diagnostic, Loaded, SceneDescription, Severity};
+use crate::scene::{self, Diagnostic, Loaded, SceneDescription, SceneText, Severity};
 use crate::shader::ErrorKind;
 use crate::watch::{Linter, News, Outcome, Problem, ReloadEvent, Restarts, Sources, Wake, Watch, WatchError, values};
 
@@ -25,6 +25,8 @@ pub struct Reload {
     watch: Watch,
     /// The scene as its files were last taken up.
     pub description: Option<SceneDescription>,
+    /// The text of its own file, as it was then.
+    pub text: SceneText,
     /// What is wrong with shaders and scene as they are on the disk; the engine runs older ones.
     pub problems: Standing,
     /// Not yet fetched.
@@ -72,7 +74,7 @@ struct Trial {
     tied: bool,
     /// What the code on trial makes anew.
     restarts: Restarts,
-    scene: Option<SceneDescription>,
+    scene: Option<(SceneDescription, SceneText)>,
     /// How far the film was that was put aside.
     film: Option<FilmProgress>,
     /// The files that are on trial.
@@ -83,11 +85,13 @@ impl Reload {
     /// Starts to watch. `wake` is called, from another thread, when the next step has something to take up.
     pub fn start(sources: Sources, compiler: Compiler, wake: Wake) -> Result<Reload, WatchError> {
         let judged = sources.shaders.as_ref().map(|(_, library)| library.clone());
-        let description = sources.scene.as_ref().map(|(_, description, _)| description.clone());
+        let scene = sources.scene.as_ref();
+        let (description, text) = scene.map(|scene| (scene.description.clone(), scene.text.clone())).unzip();
         Ok(Reload {
             linter: Linter::new(judged, wake.clone()),
             watch: Watch::start(sources, compiler, wake)?,
             description,
+            text: text.unwrap_or_default(),
             problems: Standing::default(),
             events: Vec::new(),
             taken: Vec::new(),
@@ -268,8 +272,9 @@ fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
 fn put_scene(world: &mut World, reload: &mut Reload, loaded: Loaded) -> Vec<Problem> {
     scene::apply_changes(world, reload.description.as_ref(), &loaded.description);
     let old = reload.description.replace(loaded.description);
+    let old_text = std::mem::replace(&mut reload.text, loaded.text);
     if reload.trial.scene.is_none() {
-        reload.trial.scene = old;
+        reload.trial.scene = old.map(|old| (old, old_text));
     }
     loaded.warnings.into_iter().map(Problem::from).collect()
 }
@@ -357,9 +362,9 @@ pub fn go_back(world: &mut World, error: EngineError) -> Result<(), EngineError>
         reload.linter.forget();
         reload.problems.code = vec![problem.clone()];
     }
-    if let Some(scene) = scene {
+    if let Some((scene, text)) = scene {
         scene::apply_changes(world, reload.description.as_ref(), &scene);
-        reload.description = Some(scene);
+        (reload.description, reload.text) = (Some(scene), text);
         if !tied {
             reload.problems.scene = vec![problem.clone()];
         }

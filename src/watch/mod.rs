@@ -28,7 +28,7 @@ pub use message::{News, Outcome};
 pub use watcher::WatchError;
 
 use crate::gpu::Compiler;
-use crate::scene::SceneDescription;
+use crate::scene::{SceneDescription, SceneText};
 use crate::shader::{Layers, Library};
 use assets::SceneFiles;
 use compile::Compiles;
@@ -41,8 +41,17 @@ use worker::Worker;
 pub struct Sources {
     /// What the engine's library was read from.
     pub shaders: Option<(Layers, Library)>,
-    /// The scene file, what it gave, and the files it was read from.
-    pub scene: Option<(WatchedScene, SceneDescription, Vec<PathBuf>)>,
+    pub scene: Option<SceneSource>,
+}
+
+/// The scene that runs already, and how it is read again.
+pub struct SceneSource {
+    pub watched: WatchedScene,
+    pub description: SceneDescription,
+    /// Its own file's, as it was read for that.
+    pub text: SceneText,
+    /// The files it was read from.
+    pub files: Vec<PathBuf>,
 }
 
 /// A worker that watches, as long as this lives.
@@ -65,7 +74,7 @@ impl Watch {
         let worker = Worker {
             folders,
             shaders: sources.shaders.map(|(layers, library)| (ShaderFolders::new(layers, &library), compiles)),
-            scene: sources.scene.map(|(file, _, files)| SceneFiles::new(file, &files)),
+            scene: sources.scene.map(|scene| SceneFiles::new(scene.watched, &scene.files)),
             messages,
             news: news_sender,
             wake: Box::new(move || wake()),

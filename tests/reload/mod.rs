@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 
 use lucerna::scene;
 use lucerna::shader::{Layers, Library};
-use lucerna::watch::{ReloadEvent, Sources, WatchedScene};
+use lucerna::watch::{ReloadEvent, SceneSource, Sources, WatchedScene};
 use lucerna::{Engine, FilmImage};
 
 use crate::support;
@@ -105,10 +105,11 @@ impl Bench {
         let loaded = scene::load(&path, &[]).unwrap();
         let library = Library::open(&root.join("shaders")).unwrap();
         let mut engine = Engine::open(support::gpu(), library.clone(), &loaded.description).unwrap();
-        let file = WatchedScene::file(path, Vec::new(), Box::new(|_| {}));
+        let watched = WatchedScene::file(path, Vec::new(), Box::new(|_| {}));
+        let scene::Loaded { description, text, files, .. } = loaded;
         let sources = Sources {
             shaders: Some((Layers::folder(root.join("shaders")), library)),
-            scene: Some((file, loaded.description, loaded.files)),
+            scene: Some(SceneSource { watched, description, text, files }),
         };
         engine.watch(sources, || {}).unwrap();
         let mut bench = Bench { folder, engine, events: Vec::new() };

@@ -2,9 +2,9 @@
 
 use bevy_ecs::prelude::*;
 use lucerna::components::{
-    Active, Camera, Environment, Film, Geometry, Material, Name, Render, Transform, UsesMaterial,
+    Active, Camera, Environment, Film, Geometry, Material, Name, Render, Tone, Transform, UsesMaterial,
 };
-use lucerna::scene::apply;
+use lucerna::scene::{apply, apply_changes};
 
 use super::{SCENE, description};
 
@@ -74,4 +74,21 @@ fn applying_another_scene_leaves_nothing_of_the_first() {
     assert_eq!(world.query_filtered::<Entity, With<Film>>().single(&world).unwrap(), kept);
     let used = world.query::<&UsesMaterial>().single(&world).unwrap().0;
     assert_eq!(world.get::<Name>(used).unwrap().as_str(), "other:red");
+}
+
+/// A file that changes one setting leaves the others what the window made of them.
+#[test]
+fn a_setting_that_is_the_same_in_both_files_stays_as_it_was_edited() {
+    let mut world = World::new();
+    let earlier = description(SCENE);
+    apply(&mut world, &earlier);
+    let mut film = world.query::<(&mut Film, &mut Render)>();
+    let (mut held, mut render) = film.single_mut(&mut world).unwrap();
+    (held.size, held.exposure, render.seed) = (glam::UVec2::new(300, 200), 2.0, 5);
+    let mut later = earlier.clone();
+    (later.film.tone, later.render.seed) = (Tone::Agx, 6);
+    apply_changes(&mut world, Some(&earlier), &later);
+    let (film, render) = film.single(&world).unwrap();
+    assert_eq!((film.size, film.exposure, film.tone), (glam::UVec2::new(300, 200), 2.0, Tone::Agx));
+    assert_eq!((film.crop, render.seed, render.max_depth), (earlier.film.crop, 6, earlier.render.max_depth));
 }

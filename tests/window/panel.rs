@@ -2,29 +2,32 @@
 
 use bevy_ecs::prelude::*;
 use egui::epaint::ClippedShape;
-use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape, Vec2, pos2};
+use egui::{Context, Event, Modifiers, OutputCommand, PointerButton, Pos2, RawInput, Rect, Shape, Vec2, pos2};
 use glam::Vec3;
 use lucerna::app::window::panel::materials;
+use lucerna::app::window::scene_file::{Kept, save};
 use lucerna::components::{Maps, Name};
-use lucerna::scene::{MtlMaterial, SceneDescription, TextureMap, apply};
+use lucerna::scene::{MtlMaterial, SceneDescription, TextureMap, apply, describe, load};
 
 use super::maps::description;
 
 /// The panel's section of materials, and what was drawn of it last.
-struct Section {
+pub struct Section {
     context: Context,
-    world: World,
+    pub world: World,
     shapes: Vec<ClippedShape>,
     edited: bool,
+    /// What was put on the clipboard last.
+    pub copied: Option<String>,
 }
 
 impl Section {
-    fn new(description: &SceneDescription) -> Self {
+    pub fn new(description: &SceneDescription) -> Self {
         let context = Context::default();
         context.all_styles_mut(|style| style.animation_time = 0.0);
         let mut world = World::new();
         apply(&mut world, description);
-        let mut section = Self { context, world, shapes: Vec::new(), edited: false };
+        let mut section = Self { context, world, shapes: Vec::new(), edited: false, copied: None };
         section.draw(Vec::new());
         section
     }
@@ -35,7 +38,14 @@ impl Section {
         for events in [events, Vec::new(), Vec::new()] {
             let input = RawInput { screen_rect, events, ..RawInput::default() };
             let (world, edited) = (&mut self.world, &mut self.edited);
-            self.shapes = self.context.run_ui(input, |ui| *edited |= materials::show(ui, world, None)).shapes;
+            let output =
+                self.context.run_ui(input, |ui| *edited |= materials::show(ui, world, None, std::path::Path::new("")));
+            self.shapes = output.shapes;
+            for command in output.platform_output.commands {
+                if let OutputCommand::CopyText(text) = command {
+                    self.copied = Some(text);
+                }
+            }
         }
     }
 
@@ -131,4 +141,32 @@ fn another_picture_is_chosen_for_a_map() {
     assert!(section.find("wood.png").is_none() && section.find("oak.png").is_some());
     section.click_on("leaf.png");
     assert_eq!((section.all("leaf.png").len(), section.all("oak.png").len()), (2, 1));
+}
+
+/// What a slider was moved to goes into the scene's file; a copied line makes another scene the same.
+#[test]
+fn a_moved_slider_is_saved_and_a_material_copied() {
+    let folder = super::files::cornell_box();
+    let path = folder.path().join("scene.ron");
+    let loaded = load(&path, &[]).unwrap();
+    let taken = Kept { text: loaded.text, description: loaded.description };
+    let mut section = Section::new(&taken.description);
+    section.click_on("cornell-box:ball");
+    let (label, widest) = (section.find("Pm").unwrap(), section.find("one sided").unwrap());
+    section.click(pos2(widest.right() + 60.0, label.center().y));
+    let moved = section.material("cornell-box:ball").0;
+    assert!(section.edited && moved.pm > 0.1 && moved.pm < 0.9, "{}", moved.pm);
+    let saved = save(&taken, None, &describe(&section.world, "scene")).unwrap();
+    assert_eq!(saved.edited.summary(), "1 value added (materials.ball)");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let wanted = format!("ks: 0.05, ns: 60, pm: {}),\n    }},", moved.pm);
+    assert!(text.contains(&wanted) && text.starts_with("// The Cornell box"), "{text}");
+
+    section.click_on("copy as RON");
+    let line = section.copied.clone().expect("a line");
+    assert!(line.starts_with("\"ball\": (kd: 0.8, ks: 0.05, ns: 60, pm: "), "{line}");
+    let copy = format!("(models: [(path: \"cornell-box.obj\")], materials: {{ {line} }})");
+    std::fs::write(folder.path().join("copy.ron"), copy).unwrap();
+    let copied = load(&folder.path().join("copy.ron"), &[]).unwrap().description;
+    assert_eq!(copied.materials["cornell-box:ball"], moved);
 }

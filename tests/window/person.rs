@@ -7,6 +7,7 @@ use std::time::Duration;
 use tempfile::TempDir;
 use x11rb::protocol::xproto::Window;
 
+use super::files::cornell_box;
 use super::xvfb::{Screenshot, Xvfb, await_some};
 use crate::reload::copy;
 use crate::support::patience::processor_time;
@@ -46,14 +47,8 @@ impl Person {
 
     /// The folder of those files.
     pub fn files() -> TempDir {
-        let folder = tempfile::tempdir().unwrap();
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        copy(&root.join("shaders"), &folder.path().join("shaders"));
-        for name in ["cornell-box.obj", "cornell-box.mtl"] {
-            std::fs::copy(root.join("assets/models").join(name), folder.path().join(name)).unwrap();
-        }
-        let scene = std::fs::read_to_string(root.join("assets/scenes/cornell-box.ron")).unwrap();
-        std::fs::write(folder.path().join("scene.ron"), scene.replace("../models/", "")).unwrap();
+        let folder = cornell_box();
+        copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders"), &folder.path().join("shaders"));
         folder
     }
 

@@ -4,7 +4,11 @@ use std::io::{BufRead, BufReader, IoSlice};
 use std::process::{Child, Command, Stdio};
 
 use x11rb::connection::{Connection, RequestConnection};
-use x11rb::protocol::xproto::{AtomEnum, ConfigureWindowAux, ConnectionExt, ImageFormat, InputFocus, MapState, Window};
+use x11rb::protocol::Event;
+use x11rb::protocol::xproto::{
+    AtomEnum, ConfigureWindowAux, ConnectionExt, CreateWindowAux, ImageFormat, InputFocus, MapState, Window,
+    WindowClass,
+};
 use x11rb::rust_connection::RustConnection;
 
 use crate::support::patience::Patience;
@@ -111,6 +115,29 @@ impl Xvfb {
             panic!("this request is written for little-endian machines");
         }
         self.connection.send_request_without_reply(&[IoSlice::new(&request)], Vec::new()).unwrap().check().unwrap();
+    }
+
+    /// The text that a program offers on the clipboard; none where none does.
+    pub fn clipboard(&self) -> Option<String> {
+        let connection = &self.connection;
+        let atom = |name: &str| connection.intern_atom(false, name.as_bytes()).unwrap().reply().unwrap().atom;
+        let (clipboard, utf8, property) = (atom("CLIPBOARD"), atom("UTF8_STRING"), atom("LUCERNA_TEST"));
+        let asker = connection.generate_id().unwrap();
+        let (depth, visual) = (x11rb::COPY_DEPTH_FROM_PARENT, x11rb::COPY_FROM_PARENT);
+        let (class, values) = (WindowClass::INPUT_OUTPUT, CreateWindowAux::new());
+        connection.create_window(depth, asker, self.root, 0, 0, 1, 1, 0, class, visual, &values).unwrap();
+        connection.convert_selection(asker, clipboard, utf8, property, x11rb::CURRENT_TIME).unwrap();
+        connection.flush().unwrap();
+        let answer = loop {
+            if let Event::SelectionNotify(answer) = connection.wait_for_event().unwrap() {
+                break answer;
+            }
+        };
+        if answer.property == x11rb::NONE {
+            return None;
+        }
+        let reply = connection.get_property(false, asker, property, AtomEnum::ANY, 0, 10_000).unwrap().reply().unwrap();
+        String::from_utf8(reply.value).ok()
     }
 
     pub fn screenshot(&self, window: Window) -> Screenshot {

@@ -1,7 +1,6 @@
 //! `lucerna new`: a scene file for a model, framed and lit, to be edited.
 
-mod paths;
-mod template;
+pub mod template;
 
 use std::path::{Path, PathBuf};
 
@@ -12,6 +11,7 @@ use crate::app::shared::failure::show;
 use crate::app::shared::output;
 use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
+use crate::files;
 use crate::image::file;
 use crate::scene::{self, Define};
 
@@ -51,8 +51,11 @@ pub fn run(arguments: &NewArguments) -> Result<Exit, Failure> {
     let loaded = scene::load(&model, &[Define::given("film.size", SIZE)])?;
     loaded.warnings.iter().for_each(|warning| show(warning));
     file::prepare(&path)?;
-    let named = paths::relative(&model, path.parent().unwrap_or(Path::new("")));
-    file::write_text(&path, &template::scene(&named, &loaded.description))?;
+    let named = files::relative(&model, path.parent().unwrap_or(Path::new("")));
+    file::write_text(
+        &path,
+        &template::scene(&named, ("front", &template::rounded(&loaded.description)), &loaded.description),
+    )?;
     let name = quoted(&path.display().to_string());
     output::print(&format!(
         "{}: all of {} in view, {} materials\n  next: lucerna view {name}, and edit it while it is shown; or lucerna render {name}\n",

@@ -1,17 +1,24 @@
 //! The text of a new scene file: what there is to change, with what it does.
 
-use glam::{DVec3, Vec3};
+use std::collections::BTreeMap;
+
+use glam::DVec3;
 
 use crate::app::window::navigate::to_ron;
-use crate::components::Camera;
-use crate::scene::{KEYS, MtlMaterial, SceneDescription, Value};
+use crate::components::{Camera, Daylight, Environment, Film, Render, ShaderValues};
+use crate::scene::{SceneDescription, edit};
+
+/// The sun's elevation and azimuth, degrees.
+const SUN: [f64; 2] = [45.0, 120.0];
+
+/// Segments of the longest path.
+const DEPTH: u32 = 16;
 
 /// Letters of a commented line, beyond which what a material is goes without saying.
 const WIDE: usize = 120;
 
-/// A scene of one model, as it is `alone`: all of it in view, and lit by what of it emits, else by day.
-pub fn scene(model: &str, alone: &SceneDescription) -> String {
-    let camera = alone.cameras.get(&alone.active).map(rounded).unwrap_or_default();
+/// A scene of one model, as it is `alone`, seen by a camera of a name, and lit by what of it emits, else by day.
+pub fn scene(model: &str, (name, camera): (&str, &Camera), alone: &SceneDescription) -> String {
     let [width, height] = alone.film.size.to_array();
     let light = match alone.environment {
         None => "    // The model's own lights; for a sky beside them:\n    // environment: Sky(sun: (45, 120)),\n",
@@ -30,7 +37,7 @@ pub fn scene(model: &str, alone: &SceneDescription) -> String {
          (path: {model:?}),\n    \
          ],\n    \
          cameras: {{\n        \
-         // In the window, C prints where the camera is as such a line.\n        \
+         // In the window, C copies where the camera is as such a line.\n        \
          {}\n    \
          }},\n    \
          // Pixels, and brighter or darker by stops.\n    \
@@ -41,11 +48,26 @@ pub fn scene(model: &str, alone: &SceneDescription) -> String {
          // A lamp: a point, W/sr.\n    \
          // lights: {{ \"lamp\": Point(position: {}, intensity: {}) }},\n\
          {})\n",
-        to_ron("front", &camera),
-        vector(rounded_to(camera.position, scale_of(&camera))),
+        to_ron(name, camera),
+        vector(rounded_to(camera.position, scale_of(camera))),
         number(4.0 * (camera.position - camera.look_at).length_squared()),
         materials(alone),
     )
+}
+
+/// What such a file says of the scene beside its models, seen as it is `alone`: what differs from this is to be written into it.
+pub fn said(alone: &SceneDescription) -> SceneDescription {
+    let [elevation, azimuth] = SUN;
+    let ground = glam::Vec3::splat(0.3);
+    let day = Daylight { elevation, azimuth, turbidity: 3.0, ground, strength: 1.0, sun_size: Daylight::SUN_SIZE };
+    SceneDescription {
+        film: Film { size: alone.film.size, ..Film::default() },
+        render: Render { max_depth: DEPTH, ..Render::default() },
+        environment: alone.environment.as_ref().map(|_| Environment::Daylight(day)),
+        lights: BTreeMap::new(),
+        shader: ShaderValues::default(),
+        ..alone.clone()
+    }
 }
 
 /// The changes that may be made to materials: each as it is, behind `//`.
@@ -55,41 +77,13 @@ fn materials(alone: &SceneDescription) -> String {
     );
     for (key, material) in &alone.materials {
         let name = key.split_once(':').map_or(key.as_str(), |(_, name)| name);
-        let line = format!("        // {name:?}: ({}),", fields(material));
+        let line = format!("        // {name:?}: {},", edit::material(material, None));
         let kind = format!("  // {}", material.appearance().kind);
         text += &line;
         text += if line.len() + kind.len() <= WIDE { &kind } else { "" };
         text += "\n";
     }
     text + "    },\n"
-}
-
-/// What a scene file would say to have a material as it is, but for its maps.
-fn fields(material: &MtlMaterial) -> String {
-    let (mut own, mut plain) = (material.clone(), MtlMaterial::default());
-    let mut fields = Vec::new();
-    for key in KEYS {
-        let (value, usual) = match key.value {
-            Value::Colour(_, at) => (colour(*at(&mut own)), colour(*at(&mut plain))),
-            Value::Number(_, at) => (at(&mut own).to_string(), at(&mut plain).to_string()),
-            Value::Optional(_, at) => (optional(*at(&mut own)), optional(*at(&mut plain))),
-            Value::Switch(at) => (at(&mut own).to_string(), at(&mut plain).to_string()),
-            Value::Whole(_, at) => (at(&mut own).to_string(), at(&mut plain).to_string()),
-            Value::Map(..) => continue,
-        };
-        if value != usual || ["kd", "ks", "ns"].contains(&key.scene) {
-            fields.push(format!("{}: {value}", key.scene));
-        }
-    }
-    fields.join(", ")
-}
-
-fn colour(value: Vec3) -> String {
-    format!("({}, {}, {})", value.x, value.y, value.z)
-}
-
-fn optional(value: Option<f32>) -> String {
-    value.map_or("None".to_owned(), |value| value.to_string())
 }
 
 fn vector(v: DVec3) -> String {
@@ -102,10 +96,11 @@ fn number(value: f64) -> String {
     rounded_to(DVec3::splat(value), unit).x.to_string()
 }
 
-/// A camera whose numbers are as short as they may be: no more than a thousandth of its distance is lost.
-fn rounded(camera: &Camera) -> Camera {
-    let unit = scale_of(camera);
-    Camera { position: rounded_to(camera.position, unit), look_at: rounded_to(camera.look_at, unit), ..*camera }
+/// The camera of a scene, its numbers as short as they may be: no more than a thousandth of its distance is lost.
+pub fn rounded(alone: &SceneDescription) -> Camera {
+    let camera = alone.cameras.get(&alone.active).copied().unwrap_or_default();
+    let unit = scale_of(&camera);
+    Camera { position: rounded_to(camera.position, unit), look_at: rounded_to(camera.look_at, unit), ..camera }
 }
 
 /// The power of ten below a thousandth of the distance that a camera looks at.

@@ -11,9 +11,9 @@ use super::pictures::watch_pictures;
 use super::settings::SettingFlags;
 use super::values::define;
 use crate::scene::settings::Settings;
-use crate::scene::{self, Define, Loading, SceneDescription, ShaderPlace};
+use crate::scene::{self, Define, Loading, SceneDescription, SceneText, ShaderPlace};
 use crate::shader::{Layers, Library};
-use crate::watch::{Adjust, Sources, WatchedScene};
+use crate::watch::{Adjust, SceneSource, Sources, WatchedScene};
 
 /// What every command that draws a scene takes beside its name.
 #[derive(Args, Clone, Debug, Default)]
@@ -38,6 +38,8 @@ pub struct Opened {
     pub path: PathBuf,
     /// With what the command line says over it.
     pub description: SceneDescription,
+    /// The scene's own file, as it was read for that.
+    pub text: SceneText,
     /// Every file that was read.
     pub files: Vec<PathBuf>,
     /// Where shaders' parameters are set, by their names.
@@ -63,7 +65,8 @@ impl SceneFlags {
         }
         let gives_spp = loaded.given.contains("spp") || self.settings.gives("spp");
         let spp = gives_spp.then_some(description.render.spp);
-        Ok(Opened { path, description, files: loaded.files, shader_places: loaded.shader_places, spp })
+        let (text, files, shader_places) = (loaded.text, loaded.files, loaded.shader_places);
+        Ok(Opened { path, description, text, files, shader_places, spp })
     }
 
     /// Whether the command line says how many samples a pixel is to get.
@@ -83,10 +86,11 @@ impl SceneFlags {
 
     /// What an engine that runs the scene with `library` is to watch.
     pub fn sources(&self, opened: Opened, library: Library) -> Sources {
-        let file = WatchedScene::file(opened.path, self.define.clone(), self.adjusting());
+        let Opened { path, description, text, files, .. } = opened;
+        let watched = WatchedScene::file(path, self.define.clone(), self.adjusting());
         Sources {
             shaders: self.shader_folder().map(|folder| (Layers::folder(folder), library)),
-            scene: Some((file, opened.description, opened.files)),
+            scene: Some(SceneSource { watched, description, text, files }),
         }
     }
 

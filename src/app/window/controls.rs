@@ -29,7 +29,10 @@ pub enum Intent {
     Pause,
     /// Stops.
     Exposure(f32),
+    /// Copy it, and print it.
     PrintCamera,
+    /// Into the scene's file.
+    SaveEdits,
     Help,
     Panel,
     Reload,
@@ -88,6 +91,8 @@ pub struct Controls {
     pub cursor: Option<DVec2>,
     shift: bool,
     control: bool,
+    /// What goes with S for saving: Control, or the key of that name on a Mac.
+    command: bool,
 }
 
 impl Controls {
@@ -144,7 +149,19 @@ impl Controls {
     }
 
     fn modify(&mut self, modifiers: &Modifiers) {
-        (self.shift, self.control) = (modifiers.state().shift_key(), modifiers.state().control_key());
+        let state = modifiers.state();
+        (self.shift, self.control) = (state.shift_key(), state.control_key());
+        self.command = if cfg!(target_os = "macos") { state.super_key() } else { self.control };
+    }
+
+    /// Whether the scene is to be saved: by an event that the panel wants for itself, too.
+    pub fn wants_save(&self, event: &WindowEvent) -> bool {
+        matches!(event, WindowEvent::KeyboardInput { event, is_synthetic: false, .. } if self.wants_to_save(event))
+    }
+
+    fn wants_to_save(&self, event: &KeyEvent) -> bool {
+        let is_s = matches!(&event.logical_key, Key::Character(text) if text.eq_ignore_ascii_case("s"));
+        self.command && is_s && event.state == ElementState::Pressed && !event.repeat
     }
 
     /// Where the keys that are held fly to: right, up, forward.
@@ -166,6 +183,9 @@ impl Controls {
         if event.state == ElementState::Released {
             self.held.remove(&code);
             return None;
+        }
+        if self.command && matches!(event.logical_key, Key::Character(_)) {
+            return self.wants_to_save(event).then_some(Intent::SaveEdits);
         }
         if FLIGHT.iter().any(|(key, _)| *key == code) {
             self.held.insert(code);

@@ -253,6 +253,12 @@ impl Session {
         if let Some(name) = outcome.camera {
             self.choose_camera(&name, now);
         }
+        if outcome.save {
+            self.save_edits();
+        }
+        if let Some(said) = outcome.said {
+            self.notify(said);
+        }
         if let Some(name) = outcome.member {
             self.choose_member(&name);
         }

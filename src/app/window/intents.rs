@@ -48,6 +48,7 @@ impl Session {
             Intent::Pause => self.toggle_pause(),
             Intent::Exposure(stops) => self.expose(stops),
             Intent::PrintCamera => self.print_camera(),
+            Intent::SaveEdits => self.save_edits(),
             Intent::Help => {
                 self.overlay.help = !self.overlay.help;
                 self.draw_again();
@@ -142,8 +143,9 @@ impl Session {
     fn print_camera(&mut self) {
         let Some((name, _)) = self.engine.camera() else { return };
         let line = navigate::to_ron(&name, &self.viewpoint.camera);
+        self.screen.copy(line.clone());
         match output::write(&format!("{line}\n")) {
-            Ok(()) => self.notify("the camera was printed to the terminal".to_owned()),
+            Ok(()) => self.notify("the camera is on the clipboard, and was printed to the terminal".to_owned()),
             Err(error) => self.notify(format!("stdout: {error}")),
         }
     }

@@ -17,6 +17,7 @@
 //! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
+//! | `save_edits`, `scene_file` | what was changed goes into the scene's file |
 //! | `saves`, `judge`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
 //! | `panel` | numbers, curves, sliders |
 
@@ -44,7 +45,9 @@ pub mod pair;
 pub mod panel;
 mod reason;
 mod repeat;
+mod save_edits;
 mod saves;
+pub mod scene_file;
 mod screen;
 mod session;
 mod snapshot;

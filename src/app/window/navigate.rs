@@ -8,6 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 use glam::{DQuat, DVec2, DVec3};
 
 use crate::components::{Camera, Focus, Lens};
+use crate::scene::edit;
 
 /// Radians that an orbit stays away from the poles, where the picture would turn over.
 const POLE_MARGIN: f64 = 0.01;
@@ -99,15 +100,5 @@ pub fn to_ron(name: &str, camera: &Camera) -> String {
 
 /// The camera's fields as such an entry has them, in brackets.
 pub fn fields(camera: &Camera) -> String {
-    let vector = |v: DVec3| format!("({}, {}, {})", v.x, v.y, v.z);
-    let [position, look_at, up] = [camera.position, camera.look_at, camera.up].map(vector);
-    let (fov_y, Lens { aperture, focus, shift }) = (camera.fov_y, camera.lens);
-    let aperture = if aperture == 0.0 { String::new() } else { format!(", aperture: {aperture}") };
-    let focus = match focus {
-        Focus::LookAt => String::new(),
-        Focus::Distance(distance) => format!(", focus: Distance({distance})"),
-        Focus::At(point) => format!(", focus: At({})", vector(point)),
-    };
-    let shift = if shift == DVec2::ZERO { String::new() } else { format!(", shift: ({}, {})", shift.x, shift.y) };
-    format!("(position: {position}, look_at: {look_at}, up: {up}, fov_y: {fov_y}{aperture}{focus}{shift})")
+    edit::camera(camera)
 }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use super::session::Session;
 use crate::app::shared::failure::show;
 use crate::app::shared::output;
-use crate::watch::ReloadEvent;
+use crate::watch::{ReloadEvent, Restarts};
 
 impl Session {
     /// Follows the events of the engine's last step. Each failure goes to the terminal once, and stands over the picture
@@ -23,7 +23,15 @@ impl Session {
                     self.follow_shaders(false);
                     self.draw_again();
                 }
+                ReloadEvent::Reloaded { files, restarts, .. }
+                    if restarts == Restarts::default()
+                        && self.saved_here.take_if(|own| files == [&**own]).is_some() =>
+                {
+                    // What was saved here is what is shown: that was said.
+                    self.follow_files();
+                }
                 ReloadEvent::Reloaded { files, restarts, warnings, since_save } => {
+                    self.saved_here = None;
                     warnings.iter().for_each(|warning| show(&*warning.diagnostic));
                     let names: Vec<_> = files.iter().filter_map(|file| file.file_name()).collect();
                     let what = match names.as_slice() {

@@ -45,6 +45,11 @@ impl Screen {
         self.state.egui_input_mut().events.clear();
     }
 
+    /// Puts a text on the clipboard.
+    pub fn copy(&mut self, text: String) {
+        self.state.set_clipboard_text(text);
+    }
+
     /// Takes up the window's size.
     pub fn resize(&mut self) -> Result<(), GpuError> {
         self.surface.resize(physical_size(&self.window))

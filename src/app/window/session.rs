@@ -1,5 +1,6 @@
 //! A window with an engine behind it: what it keeps, its events, and when the next frame is due.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -9,7 +10,7 @@ use winit::window::Window;
 
 use super::activity::Activity;
 use super::cameras;
-use super::controls::Controls;
+use super::controls::{Controls, Intent};
 use super::failures::Failures;
 use super::family::{Family, Listing};
 use super::judgement::Judgement;
@@ -19,6 +20,7 @@ use super::pace;
 use super::pair::Pair;
 use super::panel::Panel;
 use super::repeat::Shown;
+use super::scene_file::Kept;
 use super::screen::{Screen, physical_size};
 use super::thumbs::Thumbs;
 use super::tracing::Tracing;
@@ -100,6 +102,10 @@ pub struct Session {
     pub(super) members: Option<Listing>,
     pub(super) pair: Pair,
     pub(super) thumbs: Thumbs,
+    /// The scene as it was last saved from here.
+    pub(super) kept: Option<Kept>,
+    /// A file that was saved from here, and is not taken up yet.
+    pub(super) saved_here: Option<PathBuf>,
     /// When the title was last set.
     pub(super) titled: Option<Instant>,
 }
@@ -120,7 +126,8 @@ impl Session {
         }
         let (_, view) = engine.camera().ok_or(EngineError::NoCamera)?;
         let most_pixels = gpu.limits.max_storage_buffer_binding_size / size_of::<FilmPixel>() as u64;
-        let panel = Panel::new(features, gpu.is_software());
+        let folder = opening.opened.path.parent().map(Path::to_path_buf).unwrap_or_default();
+        let panel = Panel::new(features, gpu.is_software(), folder);
         let now = Instant::now();
         Ok(Session {
             window,
@@ -142,6 +149,8 @@ impl Session {
             pair: Pair::default(),
             thumbs: Thumbs::default(),
             opening,
+            kept: None,
+            saved_here: None,
             titled: None,
         })
     }
@@ -156,6 +165,9 @@ impl Session {
         if let Some(saved) = self.engine.saved_scene() {
             opened.description = saved.clone();
         }
+        if let Some(text) = self.engine.saved_text() {
+            opened.text = text.clone();
+        }
         let shaders = self.engine.library();
         self.end_judging();
         (self.window, Opening { description, opened, shaders, again: true, ..self.opening })
@@ -168,6 +180,11 @@ impl Session {
     /// The scene's name; that of the member that is shown.
     pub(super) fn name(&self) -> &str {
         self.engine.saved_scene().map_or(&self.opening.description.name, |scene| &scene.name)
+    }
+
+    /// The scene as it was read first.
+    pub(super) fn opened(&self) -> &Opened {
+        &self.opening.opened
     }
 
     pub(super) fn family(&self) -> Option<&Family> {
@@ -258,6 +275,9 @@ impl Session {
         }
         if response.consumed && visible {
             self.controls.let_go(event);
+            if self.controls.wants_save(event) {
+                self.act(Intent::SaveEdits)?;
+            }
         } else if let Some(intent) = self.controls.event(event, f64::from(physical_size(&self.window).y)) {
             self.act(intent)?;
         }

@@ -37,6 +37,7 @@ pub struct MapChange {
     channel: Option<Channel>,
     bump: Option<f32>,
     flip_green: Option<bool>,
+    off: Option<bool>,
     /// An error about the file, or the whole, without its message.
     place: Diagnostic,
 }
@@ -54,6 +55,7 @@ impl MapChange {
             channel: None,
             bump: None,
             flip_green: None,
+            off: None,
             place,
         }
     }
@@ -99,6 +101,11 @@ impl MapEdit {
         }
     }
 
+    /// Whether it changes how the map is looked up that is there.
+    pub fn is_change(&self) -> bool {
+        matches!(self, Self::On(change) if change.file.is_none())
+    }
+
     /// Writes it into a material's map; else the error, which `field` is told in.
     pub fn apply(&self, map: &mut Option<TextureMap>, field: &str) -> Result<(), Diagnostic> {
         let Self::On(change) = self else {
@@ -125,6 +132,7 @@ impl MapEdit {
             channel: change.channel.or(base.channel),
             bump: change.bump.unwrap_or(base.bump),
             flip_green: change.flip_green.unwrap_or(base.flip_green),
+            off: change.off.unwrap_or(base.off),
             ..base
         });
         Ok(())
@@ -180,6 +188,7 @@ fn read_lookup(fields: &Fields, used: MapUse, change: &mut MapChange) {
     if matches!(used, MapUse::Normal | MapUse::Bump) {
         change.flip_green = fields.read("flip_green", Node::boolean);
     }
+    change.off = fields.read("off", Node::boolean);
 }
 
 /// The name of a file.

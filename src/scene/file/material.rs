@@ -54,7 +54,7 @@ impl MaterialEdit {
                 errors.extend(edit.apply(at(material), key.scene).err());
             }
         }
-        material.edited(&before, |field| self.gives(field));
+        material.edited(&before, |field| self.gives_anew(field));
         errors
     }
 
@@ -65,6 +65,12 @@ impl MaterialEdit {
 
     fn gives(&self, field: &str) -> bool {
         self.fields().any(|given| given == field)
+    }
+
+    /// Whether a number or map is given that is not just a change of the map that is there.
+    fn gives_anew(&self, field: &str) -> bool {
+        let changes = |(key, edit): &(&Key, MapEdit)| key.scene == field && edit.is_change();
+        self.gives(field) && !self.maps.iter().any(changes)
     }
 
     /// Reads the field of a key, where it is there and right.
@@ -80,7 +86,11 @@ impl MaterialEdit {
                 fields.read(key.scene, |node| between(node, range)).map(|value| *at(numbers) = value)
             }
             Value::Optional(range, at) => {
-                fields.read(key.scene, |node| between(node, range)).map(|value| *at(numbers) = Some(value))
+                let read = |reader: &Reader, node: &Node, path: &str| match node.is_none() {
+                    true => Some(None),
+                    false => between(node, range).map_err(|message| reader.error(node, path, message)).ok().map(Some),
+                };
+                fields.part(key.scene, read).map(|value| *at(numbers) = value)
             }
             Value::Switch(at) => fields.read(key.scene, Node::boolean).map(|value| *at(numbers) = value),
             Value::Whole(most, at) => {

@@ -18,6 +18,7 @@ use super::animate::Animation;
 use super::environment::{EnvironmentEntry, read_environment};
 use super::ron::{Fields, Kind, Node, Reader};
 use super::settings::{Group, SETTINGS, Settings, Value};
+use super::source::SceneText;
 use super::suggest::known_names;
 use crate::components::{Camera, Crop, Film, PointLight, ShaderValue};
 use animate::read_animation;
@@ -55,6 +56,8 @@ pub struct SceneFile {
     /// By the names of parameters.
     pub shader: BTreeMap<String, (ShaderValue, ShaderPlace)>,
     pub animation: Option<Animation>,
+    /// What it was read from.
+    pub text: SceneText,
 }
 
 /// The fields of a whole file, which may be named: `Scene(..)`.

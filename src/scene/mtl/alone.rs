@@ -89,6 +89,12 @@ impl MtlMaterial {
         }
     }
 
+    /// Whether a number is what its map makes of one that nobody gave.
+    pub fn is_alone(&mut self, field: &str) -> bool {
+        let multiplied = MULTIPLIED.iter().find(|multiplied| multiplied.key == field);
+        multiplied.is_some_and(|multiplied| (multiplied.map)(self).as_ref().is_some_and(|map| map.alone))
+    }
+
     /// Marks the maps that count alone: of numbers that were not given, or as 0, which programs write beside a map.
     pub(super) fn mark_alone(&mut self, given: impl Fn(&str) -> bool) {
         for Multiplied { key, map, number, .. } in MULTIPLIED {

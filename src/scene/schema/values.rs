@@ -63,6 +63,7 @@ fn map_of(used: MapUse) -> Schema {
         ("scale", each(2, number())),
         ("offset", tuple(2, number())),
         ("clamp", each(2, switch())),
+        ("off", about("the plain number counts, and the window can switch the map on", switch())),
     ];
     let channel = json_schema!({ "enum": ["Red", "Green", "Blue", "Alpha", "Luminance"] });
     let by_use = [

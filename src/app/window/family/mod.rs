@@ -14,7 +14,7 @@ use crate::app::shared::parameters;
 use crate::app::shared::scene::{Opened, SceneFlags};
 use crate::scene::{Assets, Diagnostics};
 use crate::shader::{Layers, Library};
-use crate::watch::{Attempt, Sources, WatchedScene};
+use crate::watch::{Attempt, SceneSource, Sources, WatchedScene};
 use followed::{Followed, SharedListing};
 
 /// A family that was opened.
@@ -53,8 +53,8 @@ impl Family {
                     parameters::check(&description.shader, &loaded.shader_places, &library)?;
                     lock(&listing).choose(&member.name);
                     let shader_places = loaded.shader_places;
-                    let opened = Opened { path: path.to_path_buf(), description, files, shader_places, spp: None };
-                    let (path, flags) = (path.to_path_buf(), flags.clone());
+                    let (path, text, flags) = (path.to_path_buf(), loaded.text, flags.clone());
+                    let opened = Opened { path: path.clone(), description, text, files, shader_places, spp: None };
                     return Ok((Family { path, flags, listing, layers, assets, files: family.files }, opened, library));
                 }
                 // What is wrong with several members is told once.
@@ -69,10 +69,11 @@ impl Family {
     /// What an engine that runs a member with `library` is to watch.
     pub fn sources(&self, opened: Opened, library: Library) -> Sources {
         let mut followed = followed(&self.path, &self.flags, &self.listing, &self.assets, self.files.clone());
-        let scene = WatchedScene { read: Box::new(move || followed.read()), adjust: self.flags.adjusting() };
+        let watched = WatchedScene { read: Box::new(move || followed.read()), adjust: self.flags.adjusting() };
+        let Opened { description, text, files, .. } = opened;
         Sources {
             shaders: Some((self.layers.clone(), library)),
-            scene: Some((scene, opened.description, opened.files)),
+            scene: Some(SceneSource { watched, description, text, files }),
         }
     }
 

@@ -1,11 +1,13 @@
 //! Every material with its numbers and maps.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use bevy_ecs::prelude::*;
 use egui::{CollapsingHeader, DragValue, RichText, Slider, Ui};
 use glam::Vec3;
 
+use super::copy;
 use super::maps::{self, Choices};
 use crate::components::{Maps, Material, Name, Texture};
 use crate::scene::{Colour, KEYS, Key, MtlMaterial, Range, Value};
@@ -13,8 +15,8 @@ use crate::scene::{Colour, KEYS, Key, MtlMaterial, Range, Value};
 /// Colours nearer than this are taken as one.
 const COLOUR_STEP: f32 = 1e-4;
 
-/// All materials by name, that under the pointer marked. Says whether one was written.
-pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>) -> bool {
+/// All materials by name, that under the pointer marked; `folder` is that of the scene's file. Says whether one was written.
+pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>, folder: &Path) -> bool {
     let textures = textures(world);
     let choices = Choices::of(world.query::<&MtlMaterial>().iter(world));
     let mut query = world.query::<(&Name, &mut MtlMaterial, &mut Material, &mut Maps)>();
@@ -28,6 +30,7 @@ pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>) -> bool {
             let mut edit = (**numbers).clone();
             sliders(ui, &mut edit);
             maps::show(ui, &mut edit, &choices);
+            copy::material(ui, name.as_str(), &edit, folder);
             if edit != **numbers {
                 edit.moved(numbers);
                 let (comes_to, maps) = edit.rendered(&textures);

@@ -3,6 +3,7 @@
 //! Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
 //! engine finds out by itself what it makes undone.
 
+mod copy;
 pub mod debug;
 pub mod lens;
 pub mod lights;
@@ -14,8 +15,10 @@ mod passes;
 mod pixel;
 mod progress;
 mod readings;
+mod save;
 mod settings;
 
+use std::path::PathBuf;
 use std::time::Instant;
 
 use glam::UVec2;
@@ -40,6 +43,10 @@ pub struct Outcome {
     pub lens: Option<Lens>,
     /// A member of the family was chosen.
     pub member: Option<String>,
+    /// The scene's file is to have what was changed.
+    pub save: bool,
+    /// What was copied.
+    pub said: Option<String>,
 }
 
 impl Outcome {
@@ -50,6 +57,8 @@ impl Outcome {
         self.camera = later.camera.or(self.camera.take());
         self.lens = later.lens.or(self.lens.take());
         self.member = later.member.or(self.member.take());
+        self.save |= later.save;
+        self.said = later.said.or(self.said.take());
     }
 }
 
@@ -58,12 +67,14 @@ pub struct Panel {
     pub open: bool,
     software: bool,
     readings: Readings,
+    /// That of the scene's file, which pictures are named from.
+    folder: PathBuf,
 }
 
 impl Panel {
-    /// Closed. `features` are all that shaders know; `software` is whether the device is the processor.
-    pub fn new(features: Vec<String>, software: bool) -> Self {
-        Self { open: false, software, readings: Readings::new(features) }
+    /// Closed. `features` are all that shaders know; `software` is whether the device is the processor; `folder` that of the scene's file.
+    pub fn new(features: Vec<String>, software: bool, folder: PathBuf) -> Self {
+        Self { open: false, software, readings: Readings::new(features), folder }
     }
 
     /// Opens it, or closes it; passes are timed while it is open.
@@ -105,6 +116,7 @@ impl Panel {
         let frame = egui::Frame::side_top_panel(ui.style()).fill(fill);
         egui::Panel::right("panel").frame(frame).default_size(300.0).show(ui, |ui| {
             egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                outcome.save = save::show(ui);
                 if let Some((list, shown, thumbs)) = family {
                     section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
                 }
@@ -116,6 +128,9 @@ impl Panel {
                 section(ui, "Camera", true, |ui| {
                     outcome.camera = settings::cameras(ui, engine);
                     outcome.lens = lens::show(ui, camera, size);
+                    if let Some((name, _)) = engine.camera() {
+                        copy::camera(ui, &name, camera);
+                    }
                 });
                 let parameters = parameters::all(engine);
                 if !parameters.is_empty() {
@@ -128,11 +143,14 @@ impl Panel {
                     let seen =
                         self.readings.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
                     section(ui, "Lights", false, |ui| outcome.moved |= lights::show(ui, world, size));
-                    section(ui, "Materials", false, |ui| outcome.moved |= materials::show(ui, world, seen));
+                    section(ui, "Materials", false, |ui| {
+                        outcome.moved |= materials::show(ui, world, seen, &self.folder)
+                    });
                 });
                 section(ui, "Passes", false, |ui| passes::show(ui, &self.readings, self.software));
             });
         });
+        outcome.said = copy::said(ui.ctx());
         if wanted_samples(engine) != samples {
             // Who says how many there are to be wants no more.
             engine.set_endless(false);
