@@ -2,6 +2,7 @@
 
 #[cfg(target_os = "linux")]
 mod display;
+mod dock;
 #[cfg(target_os = "linux")]
 mod edits;
 mod family;

@@ -59,18 +59,23 @@ impl Person {
 
     /// Opens a scene file of a folder.
     pub fn in_folder(folder: TempDir, scene: &str, more: &[&str]) -> Self {
-        Self::open(folder, scene, &[&["--size", "192x144", "--spp", SPP], more].concat())
+        Self::open(folder, scene, &[&["--no-panel", "--size", "192x144", "--spp", SPP], more].concat())
     }
 
     /// Opens the Cornell box in a window of some size, with so many samples a pixel, or as many as there is time for.
     pub fn sized(size: &str, spp: Option<&str>) -> Self {
         let spp: Vec<&str> = spp.into_iter().flat_map(|spp| ["--spp", spp]).collect();
-        Self::open(tempfile::tempdir().unwrap(), "cornell-box", &[&["--size", size], &*spp].concat())
+        Self::open(tempfile::tempdir().unwrap(), "cornell-box", &[&["--no-panel", "--size", size], &*spp].concat())
+    }
+
+    /// Opens the Cornell box of that size with the panel beside it.
+    pub fn with_panel(size: &str) -> Self {
+        Self::open(tempfile::tempdir().unwrap(), "cornell-box", &["--size", size, "--spp", SPP])
     }
 
     /// Opens files that can be edited in a window of some size; its film goes on.
     pub fn files_at(size: &str) -> Self {
-        Self::open(Self::files(), "scene.ron", &["--size", size])
+        Self::open(Self::files(), "scene.ron", &["--no-panel", "--size", size])
     }
 
     fn open(folder: TempDir, scene: &str, flags: &[&str]) -> Self {
@@ -199,6 +204,7 @@ fn a_person_looks_moves_and_leaves() {
 
     person.display.key(F2);
     person.see("the panel beside the picture", |look| look.difference(&headless) > 10.0);
+    person.finish();
     // It looks at the film a last time a second after the one before.
     person.rest("the panel of a finished film", Duration::from_millis(1500), TICKS);
     person.display.key(F2);

@@ -6,7 +6,6 @@ use std::time::Instant;
 use winit::window::Fullscreen;
 
 use super::controls::Intent;
-use super::screen::physical_size;
 use super::session::Session;
 use super::tracing::Rest;
 use super::{cameras, navigate, snapshot};
@@ -123,7 +122,7 @@ impl Session {
 
     fn frame_all(&mut self, now: Instant) {
         let (low, high) = self.engine.bounds();
-        let size = physical_size(&self.window).as_dvec2();
+        let size = self.area().as_dvec2();
         self.set_view(navigate::frame(self.viewpoint.camera, low, high, size.x / size.y.max(1.0)), now);
     }
 

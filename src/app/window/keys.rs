@@ -18,7 +18,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("[ and ]", "the member before, and the next, of a family of scenes"),
     ("V", "before on the left, after on the right: of what was judged, or of the last two members"),
     ("F1", "this help"),
-    ("F2", "the panel"),
+    ("F2", "the panel, off and on"),
     ("F5", "read shaders and scene again"),
     ("F11", "fullscreen"),
     ("F12", "save PNG and EXR to result/, and say the command that gives them again"),

@@ -14,6 +14,8 @@
 //! | `snapshot`, `repeat` | saving what is seen; the command that gives it again |
 //! | `controls`, `keys` | events to intents; the table of keys |
 //! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
+//! | `dock` | pure: what the window gives to the picture, and what to the panel |
+//! | `placement` | where the picture lies, the size of its film, the pixel under the pointer |
 //! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
@@ -26,6 +28,7 @@ mod arguments;
 mod cameras;
 mod controls;
 mod display;
+pub mod dock;
 mod failures;
 pub mod family;
 pub mod flight;
@@ -42,6 +45,7 @@ mod overlay;
 pub mod pace;
 pub mod pair;
 pub mod panel;
+mod placement;
 mod reason;
 mod repeat;
 mod saves;
@@ -76,7 +80,7 @@ struct Ended(winit::error::EventLoopError);
 pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
     let events = display::open()?;
     let (wake, flags) = (events.create_proxy(), arguments.flags.clone());
-    let opening = match variant_file(&arguments.scene) {
+    let mut opening = match variant_file(&arguments.scene) {
         Some(path) => {
             let (family, opened, library) = Family::open(&path, &flags)?;
             Opening::new(opened, library, flags, wake).of_family(family)
@@ -87,6 +91,7 @@ pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
             Opening::new(opened, library, flags, wake)
         }
     };
+    opening.panel = !arguments.no_panel;
     let mut application = Application::new(opening);
     events.run_app(&mut application).map_err(|error| Failure::of(Ended(error)))?;
     application.outcome()

@@ -42,6 +42,8 @@ pub struct Opening {
     family: Option<Family>,
     /// The shaders to go on with.
     shaders: Library,
+    /// The panel is open at first.
+    pub panel: bool,
     /// A device was lost.
     again: bool,
     /// Wakes the window when something was saved.
@@ -49,9 +51,10 @@ pub struct Opening {
 }
 
 impl Opening {
-    /// A scene as it was read, and the shaders that draw it.
+    /// A scene as it was read, and the shaders that draw it; with the panel.
     pub fn new(opened: Opened, shaders: Library, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
-        Self { description: opened.description.clone(), opened, flags, family: None, shaders, again: false, wake }
+        let description = opened.description.clone();
+        Self { description, opened, flags, family: None, shaders, panel: true, again: false, wake }
     }
 
     /// A member of a family.
@@ -120,7 +123,7 @@ impl Session {
         }
         let (_, view) = engine.camera().ok_or(EngineError::NoCamera)?;
         let most_pixels = gpu.limits.max_storage_buffer_binding_size / size_of::<FilmPixel>() as u64;
-        let panel = Panel::new(features, gpu.is_software());
+        let panel = Panel::new(opening.panel, features, gpu.is_software());
         let now = Instant::now();
         Ok(Session {
             window,
@@ -158,7 +161,8 @@ impl Session {
         }
         let shaders = self.engine.library();
         self.end_judging();
-        (self.window, Opening { description, opened, shaders, again: true, ..self.opening })
+        let panel = self.panel.open;
+        (self.window, Opening { description, opened, shaders, panel, again: true, ..self.opening })
     }
 
     pub fn window(&self) -> &Window {
@@ -256,7 +260,8 @@ impl Session {
         } else {
             self.screen.forget_events();
         }
-        if response.consumed && visible {
+        // The user interface knows the pointer from its last run: what is on the panel since then is the panel's too.
+        if visible && (response.consumed || self.is_for_panel(event)) {
             self.controls.let_go(event);
         } else if let Some(intent) = self.controls.event(event, f64::from(physical_size(&self.window).y)) {
             self.act(intent)?;

@@ -1,6 +1,6 @@
 //! The panel: what the engine does, and what can be changed about it.
 //!
-//! Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
+//! It stands at the right of the picture, and covers nothing of it. Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
 //! engine finds out by itself what it makes undone.
 
 pub mod debug;
@@ -20,6 +20,7 @@ use std::time::Instant;
 
 use glam::UVec2;
 
+use crate::app::window::dock;
 use crate::app::window::family::Listing;
 use crate::app::window::thumbs::Thumbs;
 use crate::components::{Camera, Lens};
@@ -56,21 +57,36 @@ impl Outcome {
 /// The panel, and what it shows.
 pub struct Panel {
     pub open: bool,
+    /// As it was last drawn, or is to be at first, points.
+    width: f32,
+    /// Passes are timed: while they are shown.
+    timed: bool,
     software: bool,
     readings: Readings,
 }
 
 impl Panel {
-    /// Closed. `features` are all that shaders know; `software` is whether the device is the processor.
-    pub fn new(features: Vec<String>, software: bool) -> Self {
-        Self { open: false, software, readings: Readings::new(features) }
+    /// `features` are all that shaders know; `software` is whether the device is the processor.
+    pub fn new(open: bool, features: Vec<String>, software: bool) -> Self {
+        Self { open, width: dock::WIDTH, timed: false, software, readings: Readings::new(features) }
     }
 
-    /// Opens it, or closes it; passes are timed while it is open.
+    /// Opens it, or closes it.
     pub fn toggle(&mut self, engine: &mut Engine) {
         self.open = !self.open;
-        engine.set_timing(self.open);
+        self.time(engine, false);
         self.readings.forget();
+    }
+
+    fn time(&mut self, engine: &mut Engine, on: bool) {
+        if std::mem::replace(&mut self.timed, on) != on {
+            engine.set_timing(on);
+        }
+    }
+
+    /// The width that it wants, points; none while it is closed.
+    pub fn width(&self) -> Option<f32> {
+        self.open.then_some(self.width)
     }
 
     /// When it is to read the engine again; none while it shows all there is. `pixel` is that under the pointer,
@@ -90,10 +106,10 @@ impl Panel {
         if self.open { self.readings.read(engine, pixel, began, now) } else { Ok(false) }
     }
 
-    /// Draws it, at the right side of the window. `view` is the camera and the size of the scene; `family` are its members, the name of the one
+    /// Draws it at the right side of the window, as wide as a hand has made it. `view` is the camera and the size of the scene; `family` are its members, the name of the one
     /// that is shown, and their pictures.
     pub fn show(
-        &self,
+        &mut self,
         ui: &mut egui::Ui,
         engine: &mut Engine,
         (camera, size): (&Camera, f64),
@@ -101,10 +117,16 @@ impl Panel {
     ) -> Outcome {
         let mut outcome = Outcome::default();
         let samples = wanted_samples(engine);
-        let fill = egui::Color32::from_rgba_unmultiplied(24, 24, 24, 235);
-        let frame = egui::Frame::side_top_panel(ui.style()).fill(fill);
-        egui::Panel::right("panel").frame(frame).default_size(300.0).show(ui, |ui| {
-            egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let mut timed = false;
+        let [least, most] = dock::widths(ui.max_rect().width());
+        let frame = egui::Frame::side_top_panel(ui.style()).fill(egui::Color32::from_gray(24));
+        let panel = egui::Panel::right("panel").frame(frame).default_size(self.width).size_range(least..=most);
+        let shown = panel.show(ui, |ui| {
+            // A child by itself: content that is too wide is to be scrolled, and makes the panel no wider.
+            let rect = ui.available_rect_before_wrap();
+            let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+            ui.advance_cursor_after_rect(rect);
+            egui::ScrollArea::both().auto_shrink(false).show(&mut inner, |ui| {
                 if let Some((list, shown, thumbs)) = family {
                     section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
                 }
@@ -130,9 +152,11 @@ impl Panel {
                     section(ui, "Lights", false, |ui| outcome.moved |= lights::show(ui, world, size));
                     section(ui, "Materials", false, |ui| outcome.moved |= materials::show(ui, world, seen));
                 });
-                section(ui, "Passes", false, |ui| passes::show(ui, &self.readings, self.software));
+                timed = section(ui, "Passes", false, |ui| passes::show(ui, &self.readings, self.software));
             });
         });
+        self.width = shown.response.rect.width();
+        self.time(engine, timed);
         if wanted_samples(engine) != samples {
             // Who says how many there are to be wants no more.
             engine.set_endless(false);
@@ -146,6 +170,8 @@ fn wanted_samples(engine: &Engine) -> Option<u32> {
     engine.settings().map(|(_, render)| render.spp)
 }
 
-fn section(ui: &mut egui::Ui, title: &str, open: bool, content: impl FnOnce(&mut egui::Ui)) {
-    egui::CollapsingHeader::new(egui::RichText::new(title).strong()).default_open(open).show(ui, content);
+/// Says whether it is open.
+fn section(ui: &mut egui::Ui, title: &str, open: bool, content: impl FnOnce(&mut egui::Ui)) -> bool {
+    let header = egui::CollapsingHeader::new(egui::RichText::new(title).strong()).default_open(open);
+    header.show(ui, content).openness > 0.0
 }
