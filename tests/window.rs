@@ -9,6 +9,7 @@ mod family;
 mod flight;
 mod inspect;
 mod keys;
+mod legend;
 #[cfg(target_os = "linux")]
 mod lens;
 mod live;
@@ -24,8 +25,10 @@ mod parameters;
 mod person;
 #[cfg(target_os = "linux")]
 mod room;
+mod selection;
 mod session;
 #[cfg(target_os = "linux")]
 mod states;
+mod steady;
 #[cfg(target_os = "linux")]
 mod xvfb;

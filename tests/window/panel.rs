@@ -35,7 +35,7 @@ impl Section {
         for events in [events, Vec::new(), Vec::new()] {
             let input = RawInput { screen_rect, events, ..RawInput::default() };
             let (world, edited) = (&mut self.world, &mut self.edited);
-            self.shapes = self.context.run_ui(input, |ui| *edited |= materials::show(ui, world, None)).shapes;
+            self.shapes = self.context.run_ui(input, |ui| *edited |= materials::show(ui, world, None, None)).shapes;
         }
     }
 

@@ -3,6 +3,8 @@
 use std::time::{Duration, Instant};
 
 use super::cameras;
+use super::legend;
+use super::mark;
 use super::panel::Outcome;
 use super::screen::physical_size;
 use super::session::Session;
@@ -53,7 +55,7 @@ impl Session {
             self.saving = false;
             self.save()?;
         }
-        let pixel = self.pixel_under_pointer();
+        let pixel = self.looked_at();
         let read = self.panel.read(&mut self.engine, pixel, self.tracing.began, now);
         if !matches!(read, Ok(false)) {
             self.survive("looking at the film", read)?;
@@ -166,13 +168,22 @@ impl Session {
         let begin = Instant::now();
         let (fit, area) = (self.fit(), self.area());
         let name = self.name().to_owned();
+        let mark = self.mark();
         let (view, size) = (self.viewpoint.camera, self.scene_size());
-        let Session { screen, engine, overlay, panel, judgement, members, thumbs, .. } = self;
+        let Session { screen, engine, overlay, panel, judgement, members, thumbs, selected, .. } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
                 let family = members.as_ref().map(|members| (members, name.as_str(), &mut *thumbs));
-                outcome.add(panel.show(ui, engine, (&view, size), family));
+                outcome.add(panel.show(ui, engine, (&view, size), family, selected.as_deref()));
+            }
+            if let Some(mark) = &mark {
+                mark::draw(ui.ctx(), ui.available_rect_before_wrap(), mark);
+            }
+            if !panel.open
+                && let Some(legend) = legend::legend(engine.view(), engine.view_reach(), &engine.material_names())
+            {
+                legend::draw::over(ui.ctx(), ui.available_rect_before_wrap(), legend);
             }
             overlay.show(ui.ctx(), ui.available_rect_before_wrap(), judgement.line());
         });

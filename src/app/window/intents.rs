@@ -31,6 +31,7 @@ impl Session {
             }
             Intent::Magnify(times) => self.magnify(times),
             Intent::Focus => self.focus(now)?,
+            Intent::Select => self.select()?,
             Intent::FrameAll => self.frame_all(now),
             Intent::Camera(place) => {
                 let names: Vec<String> = self.engine.read(cameras::all).into_keys().collect();

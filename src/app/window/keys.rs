@@ -3,6 +3,10 @@
 /// A key or gesture, and what it does.
 pub const KEYS: &[(&str, &str)] = &[
     ("left drag", "orbit about the point that is looked at"),
+    (
+        "left click",
+        "select the mesh that is clicked, and show its material in the panel; again, or beside all: let go of it",
+    ),
     ("middle drag, Shift + left drag", "pan"),
     ("wheel, right drag", "come closer, go away"),
     ("Ctrl + wheel", "the picture's pixels as larger squares, up to 64:1; back to 1:1"),

@@ -16,6 +16,8 @@
 //! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
 //! | `dock` | pure: what the window gives to the picture, and what to the panel |
 //! | `placement` | where the picture lies, the size of its film, the pixel under the pointer |
+//! | `selection`, `mark`, `outline` | the mesh that was clicked; its mark over the picture; pure: the edges of its box as the camera sees them |
+//! | `legend` | what the colours of a view mean; drawn in the panel, and over the picture where that is closed |
 //! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
@@ -38,9 +40,12 @@ mod judge;
 mod judgement;
 mod judging;
 pub mod keys;
+pub mod legend;
 pub mod magnifier;
+mod mark;
 mod members;
 pub mod navigate;
+pub mod outline;
 mod overlay;
 pub mod pace;
 pub mod pair;
@@ -50,6 +55,7 @@ mod reason;
 mod repeat;
 mod saves;
 mod screen;
+mod selection;
 mod session;
 mod snapshot;
 pub mod thumbs;

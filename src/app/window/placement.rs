@@ -59,6 +59,14 @@ impl Session {
         (at.cmpge(glam::Vec2::ZERO).all() && at.cmplt(size.as_vec2()).all()).then(|| at.as_uvec2())
     }
 
+    /// The pixel that is looked at: under the pointer, or the last that it was on, so that it can be read while the pointer is elsewhere.
+    pub(super) fn looked_at(&mut self) -> Option<UVec2> {
+        let size = self.engine.window_size();
+        let pixel = self.pixel_under_pointer().or(self.pixel);
+        self.pixel = pixel.filter(|pixel| pixel.cmplt(size).all());
+        self.pixel
+    }
+
     /// Gives the film the size of its area.
     pub(super) fn fit_film(&mut self) {
         self.set_film_size(self.tracing.pace.film_size(self.area()));

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use glam::UVec2;
 use winit::event::WindowEvent;
 use winit::event_loop::EventLoopProxy;
 use winit::window::Window;
@@ -29,6 +30,7 @@ use crate::app::shared::textures::TextureNotices;
 use crate::engine::{Engine, EngineError, FilmImage};
 use crate::gpu::{Gpu, GpuError};
 use crate::layout::film::FilmPixel;
+use crate::layout::view::ViewMode;
 use crate::scene::SceneDescription;
 use crate::shader::Library;
 
@@ -93,6 +95,10 @@ pub struct Session {
     pub(super) panel: Panel,
     pub(super) viewpoint: Viewpoint,
     pub(super) magnifier: Magnifier,
+    /// The name of the mesh that was clicked.
+    pub(super) selected: Option<String>,
+    /// The pixel of the picture that is looked at.
+    pub(super) pixel: Option<UVec2>,
     pub(super) tracing: Tracing,
     pub(super) activity: Activity,
     pub(super) failures: Failures,
@@ -136,6 +142,8 @@ impl Session {
             panel,
             viewpoint: Viewpoint::new(view, opening.opened.description.cameras.clone()),
             magnifier: Magnifier::default(),
+            selected: None,
+            pixel: None,
             tracing: Tracing::new(most_pixels, now),
             activity: Activity::new(now),
             failures: Failures::default(),
@@ -260,17 +268,19 @@ impl Session {
         } else {
             self.screen.forget_events();
         }
+        let height = f64::from(physical_size(&self.window).y);
         // The user interface knows the pointer from its last run: what is on the panel since then is the panel's too.
         if visible && (response.consumed || self.is_for_panel(event)) {
             self.controls.let_go(event);
-        } else if let Some(intent) = self.controls.event(event, f64::from(physical_size(&self.window).y)) {
+        } else if let Some(intent) = self.controls.event(event, height, self.window.scale_factor()) {
             self.act(intent)?;
         }
         Ok(())
     }
 
     fn shows_ui(&self) -> bool {
-        self.panel.open || !self.overlay.is_empty() || self.judgement.is_shown()
+        let legend = self.engine.view() != ViewMode::Beauty;
+        self.panel.open || legend || self.selected.is_some() || !self.overlay.is_empty() || self.judgement.is_shown()
     }
 
     /// When the next frame is due; none while nothing changes.
@@ -286,7 +296,7 @@ impl Session {
         if works || self.activity.redraw || moves {
             return Some(self.activity.last_frame + pace::FRAME);
         }
-        let pixel = self.pixel_under_pointer();
+        let pixel = self.looked_at();
         let reading = self.panel.next_reading(&mut self.engine, pixel, self.tracing.began);
         [self.overlay.expires_at(), self.activity.ui_again, reading].into_iter().flatten().min()
     }

@@ -3,6 +3,7 @@
 //! It stands at the right of the picture, and covers nothing of it. Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
 //! engine finds out by itself what it makes undone.
 
+pub mod curve;
 pub mod debug;
 pub mod lens;
 pub mod lights;
@@ -15,9 +16,12 @@ mod pixel;
 mod progress;
 mod readings;
 mod settings;
+mod text;
+mod view;
 
 use std::time::Instant;
 
+use egui::{CollapsingHeader, RichText};
 use glam::UVec2;
 
 use crate::app::window::dock;
@@ -59,6 +63,8 @@ pub struct Panel {
     pub open: bool,
     /// As it was last drawn, or is to be at first, points.
     width: f32,
+    /// The selected material is to be shown in the next frame.
+    reveal: bool,
     /// Passes are timed: while they are shown.
     timed: bool,
     software: bool,
@@ -68,7 +74,7 @@ pub struct Panel {
 impl Panel {
     /// `features` are all that shaders know; `software` is whether the device is the processor.
     pub fn new(open: bool, features: Vec<String>, software: bool) -> Self {
-        Self { open, width: dock::WIDTH, timed: false, software, readings: Readings::new(features) }
+        Self { open, width: dock::WIDTH, reveal: false, timed: false, software, readings: Readings::new(features) }
     }
 
     /// Opens it, or closes it.
@@ -82,6 +88,11 @@ impl Panel {
         if std::mem::replace(&mut self.timed, on) != on {
             engine.set_timing(on);
         }
+    }
+
+    /// Opens the section of materials in the next frame, and scrolls to it.
+    pub fn reveal_materials(&mut self) {
+        self.reveal = true;
     }
 
     /// The width that it wants, points; none while it is closed.
@@ -107,17 +118,20 @@ impl Panel {
     }
 
     /// Draws it at the right side of the window, as wide as a hand has made it. `view` is the camera and the size of the scene; `family` are its members, the name of the one
-    /// that is shown, and their pictures.
+    /// that is shown, and their pictures; `selected` is the name of a mesh.
     pub fn show(
         &mut self,
         ui: &mut egui::Ui,
         engine: &mut Engine,
         (camera, size): (&Camera, f64),
         family: Option<(&Listing, &str, &mut Thumbs)>,
+        selected: Option<&str>,
     ) -> Outcome {
         let mut outcome = Outcome::default();
         let samples = wanted_samples(engine);
         let mut timed = false;
+        let selected = selected.and_then(|mesh| Some((mesh, engine.mesh(mesh)?)));
+        let reveal = std::mem::take(&mut self.reveal) && selected.is_some();
         let [least, most] = dock::widths(ui.max_rect().width());
         let frame = egui::Frame::side_top_panel(ui.style()).fill(egui::Color32::from_gray(24));
         let panel = egui::Panel::right("panel").frame(frame).default_size(self.width).size_range(least..=most);
@@ -127,13 +141,15 @@ impl Panel {
             let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(rect));
             ui.advance_cursor_after_rect(rect);
             egui::ScrollArea::both().auto_shrink(false).show(&mut inner, |ui| {
+                narrow(ui.spacing_mut());
                 if let Some((list, shown, thumbs)) = family {
                     section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
                 }
                 section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
-                section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref()));
+                let maps = engine.edit(materials::most_maps);
+                section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref(), maps));
                 section(ui, "View", true, |ui| {
-                    outcome.edited |= settings::view(ui, engine, self.readings.debug.as_ref());
+                    outcome.edited |= view::show(ui, engine, self.readings.debug.as_ref());
                 });
                 section(ui, "Camera", true, |ui| {
                     outcome.camera = settings::cameras(ui, engine);
@@ -150,7 +166,13 @@ impl Panel {
                     let seen =
                         self.readings.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
                     section(ui, "Lights", false, |ui| outcome.moved |= lights::show(ui, world, size));
-                    section(ui, "Materials", false, |ui| outcome.moved |= materials::show(ui, world, seen));
+                    let open = reveal.then_some(true);
+                    let header = CollapsingHeader::new(RichText::new("Materials").strong()).open(open);
+                    let materials =
+                        header.show(ui, |ui| outcome.moved |= materials::show(ui, world, seen, selected.as_ref()));
+                    if reveal {
+                        materials.header_response.scroll_to_me(Some(egui::Align::Min));
+                    }
                 });
                 timed = section(ui, "Passes", false, |ui| passes::show(ui, &self.readings, self.software));
             });
@@ -170,8 +192,14 @@ fn wanted_samples(engine: &Engine) -> Option<u32> {
     engine.settings().map(|(_, render)| render.spp)
 }
 
+/// Has a colour with its three numbers fit in the width that the panel has at first.
+fn narrow(spacing: &mut egui::Spacing) {
+    (spacing.item_spacing.x, spacing.button_padding.x) = (5.0, 4.0);
+    (spacing.interact_size.x, spacing.indent) = (32.0, 12.0);
+}
+
 /// Says whether it is open.
 fn section(ui: &mut egui::Ui, title: &str, open: bool, content: impl FnOnce(&mut egui::Ui)) -> bool {
-    let header = egui::CollapsingHeader::new(egui::RichText::new(title).strong()).default_open(open);
+    let header = CollapsingHeader::new(RichText::new(title).strong()).default_open(open);
     header.show(ui, content).openness > 0.0
 }
