@@ -20,7 +20,10 @@ pub const KEYS: &[(&str, &str)] = &[
     ("C", "print the camera as a line for the scene file"),
     ("J", "judge the last edit of the shaders by what was there before"),
     ("[ and ]", "the member before, and the next, of a family of scenes"),
-    ("V", "before on the left, after on the right: of what was judged, or of the last two members"),
+    (
+        "V",
+        "before on the left, after on the right: of what was judged, or of the last two members; the line between them can be dragged",
+    ),
     ("F1", "this help"),
     ("F2", "the panel, off and on"),
     ("F5", "read shaders and scene again"),

@@ -20,6 +20,7 @@
 //! | `legend` | what the colours of a view mean; drawn in the panel, and over the picture where that is closed |
 //! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
+//! | `beside` | drawing: two pictures with a divider between them |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
 //! | `saves`, `judge`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
 //! | `panel` | numbers, curves, sliders |
@@ -27,6 +28,7 @@
 pub mod activity;
 mod application;
 mod arguments;
+pub mod beside;
 mod cameras;
 mod controls;
 mod display;

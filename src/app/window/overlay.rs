@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use egui::{Align2, Color32, Context, Rect, RichText};
 use glam::UVec2;
 
+use super::beside::Beside;
 use super::keys::KEYS;
 use super::pair::Seen;
 
@@ -22,19 +23,14 @@ pub struct Overlay {
     notice_ends: Option<Instant>,
     /// Each stays until it is no longer listed: a shader that doesn't compile, a device that has no room.
     pub problems: Vec<String>,
-    /// A picture over the whole area, in place of the film: its size, and sRGB.
-    split: Option<(UVec2, Vec<[u8; 4]>)>,
-    /// The same, once it was drawn.
-    drawn: Option<egui::TextureHandle>,
-    /// What was shown before, over the left half of the film; and what to say of both.
-    pair: Option<(Seen, String)>,
-    drawn_pair: Option<egui::TextureHandle>,
+    /// Two pictures in place of the film, or one over a part of it.
+    pub beside: Beside,
 }
 
 impl Overlay {
     /// Whether nothing of it is to be seen.
     pub fn is_empty(&self) -> bool {
-        !self.help && self.notice.is_none() && self.problems.is_empty() && self.split.is_none() && self.pair.is_none()
+        !self.help && self.notice.is_none() && self.problems.is_empty() && self.beside.is_empty()
     }
 
     /// Says something at the bottom of the window, for a while.
@@ -54,28 +50,24 @@ impl Overlay {
         over
     }
 
-    /// Shows this in place of the film from now on.
-    pub fn show_split(&mut self, picture: Option<(UVec2, Vec<[u8; 4]>)>) {
-        (self.split, self.drawn) = (picture, None);
+    /// Shows both pictures of what was judged in place of the film from now on.
+    pub fn show_split(&mut self, pictures: Option<(UVec2, Vec<[u8; 4]>)>) {
+        self.beside.show_split(pictures);
     }
 
     /// Shows what was seen before beside the film of the scene `now` from now on.
     pub fn show_pair(&mut self, before: Option<&Seen>, now: &str) {
-        let pair = before.map(|before| (before.clone(), format!("{} | {now}", before.name)));
-        if self.pair != pair {
-            (self.pair, self.drawn_pair) = (pair, None);
-        }
+        self.beside.show_pair(before, now);
     }
 
     /// Draws it over the picture's area of the window, and a line about what is judged. Takes no input but for selecting the text of
-    /// problems.
+    /// problems, and for the divider between two pictures.
     pub fn show(&mut self, context: &Context, picture: Rect, judged: Option<&str>) {
-        self.draw_pair(context, picture);
-        self.draw_split(context, picture);
+        self.beside.draw(context, picture);
         show_problems(context, picture, &self.problems);
         if let Some(judged) = judged {
             show_line(context, picture, "judged", Align2::CENTER_TOP, judged);
-        } else if let Some((_, names)) = &self.pair {
+        } else if let Some(names) = self.beside.names() {
             show_line(context, picture, "pair", Align2::CENTER_TOP, names);
         }
         if let Some(notice) = &self.notice {
@@ -85,44 +77,6 @@ impl Overlay {
             show_keys(context, picture);
         }
     }
-}
-
-impl Overlay {
-    fn draw_split(&mut self, context: &Context, rect: Rect) {
-        let Some((size, pixels)) = &self.split else { return };
-        let texture = self.drawn.get_or_insert_with(|| texture(context, "split", *size, pixels));
-        let painter = context.layer_painter(egui::LayerId::background());
-        painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
-        painter.vline(rect.center().x, rect.y_range(), LINE);
-    }
-
-    /// The left half, as it lay on the window; black where nothing did.
-    fn draw_pair(&mut self, context: &Context, rect: Rect) {
-        let Some((seen, _)) = &self.pair else { return };
-        let texture = self.drawn_pair.get_or_insert_with(|| texture(context, "pair", seen.size, &seen.pixels));
-        let left = Rect::from_min_max(rect.min, egui::pos2(rect.center().x, rect.max.y));
-        let points = context.pixels_per_point();
-        let area = (glam::vec2(rect.width(), rect.height()) * points).round().as_uvec2();
-        let (min, extent) = seen.fit.place(seen.size, area);
-        let place =
-            Rect::from_min_size(rect.min + egui::vec2(min.x, min.y) / points, egui::vec2(extent.x, extent.y) / points);
-        let painter = context.layer_painter(egui::LayerId::background()).with_clip_rect(left);
-        painter.rect_filled(left, 0.0, Color32::BLACK);
-        painter.image(texture.id(), place, WHOLE, Color32::WHITE);
-        context.layer_painter(egui::LayerId::background()).vline(left.right(), rect.y_range(), LINE);
-    }
-}
-
-/// All of a texture.
-const WHOLE: Rect = Rect { min: egui::pos2(0.0, 0.0), max: egui::pos2(1.0, 1.0) };
-
-/// Between two pictures.
-const LINE: egui::Stroke = egui::Stroke { width: 1.0, color: Color32::WHITE };
-
-fn texture(context: &Context, name: &str, size: UVec2, pixels: &[[u8; 4]]) -> egui::TextureHandle {
-    let size = [size.x as usize, size.y as usize];
-    let image = egui::ColorImage::from_rgba_unmultiplied(size, pixels.as_flattened());
-    context.load_texture(name, image, egui::TextureOptions::NEAREST)
 }
 
 /// A line of text at an edge of the picture.

@@ -50,10 +50,13 @@ impl Session {
         });
     }
 
-    /// The pixel of the picture that the pointer is on.
+    /// The pixel of the film that the pointer is on; none where another picture lies over it.
     pub(super) fn pixel_under_pointer(&mut self) -> Option<UVec2> {
         let (area, fit, size) = (self.area(), self.fit(), self.engine.window_size());
         let cursor = self.controls.cursor.filter(|at| at.cmplt(area.as_dvec2()).all())?.as_vec2();
+        if self.overlay.beside.hides(cursor.x / area.x as f32) {
+            return None;
+        }
         let (origin, extent) = fit.place(size, area);
         let at = (cursor - origin) / extent * size.as_vec2();
         (at.cmpge(glam::Vec2::ZERO).all() && at.cmplt(size.as_vec2()).all()).then(|| at.as_uvec2())
