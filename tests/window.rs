@@ -7,6 +7,8 @@ mod dock;
 #[cfg(target_os = "linux")]
 mod edits;
 mod family;
+#[cfg(target_os = "linux")]
+mod fine;
 mod flight;
 mod inspect;
 mod keys;

@@ -78,11 +78,21 @@ impl Person {
         Self::open(Self::files(), "scene.ron", &["--no-panel", "--size", size])
     }
 
+    /// Opens the Cornell box of so many points on a display of two pixels a point.
+    pub fn on_a_fine_display(size: &str) -> Self {
+        Self::open_at("2", tempfile::tempdir().unwrap(), "cornell-box", &["--size", size, "--spp", SPP])
+    }
+
     fn open(folder: TempDir, scene: &str, flags: &[&str]) -> Self {
+        Self::open_at("1", folder, scene, flags)
+    }
+
+    /// `scale` is pixels a point.
+    fn open_at(scale: &str, folder: TempDir, scene: &str, flags: &[&str]) -> Self {
         let display = Xvfb::start();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
         command.args(["view", scene]).args(flags).current_dir(folder.path());
-        command.env("DISPLAY", &display.name).env("WINIT_X11_SCALE_FACTOR", "1");
+        command.env("DISPLAY", &display.name).env("WINIT_X11_SCALE_FACTOR", scale);
         command.env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
         let file = |name: &str| std::fs::File::create(folder.path().join(name)).unwrap();
         command.stdin(Stdio::null()).stdout(file("stdout")).stderr(file("stderr"));

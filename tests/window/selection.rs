@@ -59,13 +59,13 @@ fn what_is_behind_the_camera_is_not_drawn() {
 
 /// Whether the colour of what is selected is in a part of a window, from the left.
 #[cfg(target_os = "linux")]
-fn marked(look: &Screenshot, columns: std::ops::Range<usize>) -> bool {
+pub fn marked(look: &Screenshot, columns: std::ops::Range<usize>) -> bool {
     let yellow = |pixel: &[u8; 3]| pixel[0] > 240 && pixel[1].abs_diff(200) < 12 && pixel[2].abs_diff(60) < 24;
     look.pixels.chunks(look.width as usize).any(|row| row[columns.clone()].iter().any(yellow))
 }
 
 #[cfg(target_os = "linux")]
-fn click(person: &Person, x: i16, y: i16) {
+pub fn click(person: &Person, x: i16, y: i16) {
     person.display.point(x, y);
     // As long as a hand takes: the button is pressed where the pointer is seen to be.
     std::thread::sleep(std::time::Duration::from_millis(150));

@@ -52,17 +52,30 @@ impl Drawn {
         shapes
     }
 
-    /// Where every section's title is, and what is last; the width of the panel.
-    fn places(&mut self) -> BTreeMap<String, Rect> {
+    /// All texts, and where they are.
+    fn texts(&mut self) -> Vec<(String, Rect)> {
         let shapes = self.draw(Vec::new());
-        let texts = shapes.iter().filter_map(|shape| match &shape.shape {
+        let of = |shape: &ClippedShape| match &shape.shape {
             Shape::Text(text) => Some((text.galley.text().to_owned(), text.visual_bounding_rect())),
             _ => None,
-        });
-        let places: BTreeMap<_, _> =
-            texts.filter(|(text, _)| SECTIONS.contains(&text.as_str()) || text == "features").collect();
+        };
+        shapes.iter().filter_map(of).collect()
+    }
+
+    /// Where every section's title is, and what is last; the width of the panel.
+    fn places(&mut self) -> BTreeMap<String, Rect> {
+        let places: BTreeMap<_, _> = self
+            .texts()
+            .into_iter()
+            .filter(|(text, _)| SECTIONS.contains(&text.as_str()) || text == "features")
+            .collect();
         let width = self.panel.width().unwrap();
         places.into_iter().chain([("width".to_owned(), Rect::from_min_size(Pos2::ZERO, Vec2::splat(width)))]).collect()
+    }
+
+    fn click_on(&mut self, text: &str) {
+        let found = self.texts().into_iter().find(|(drawn, _)| drawn == text);
+        self.click(found.unwrap_or_else(|| panic!("`{text}` is not shown")).1.center());
     }
 
     fn click(&mut self, pos: Pos2) {
@@ -97,6 +110,25 @@ fn no_section_moves_when_numbers_come() {
         drawn.engine.set_view(view);
         drawn.read(Some(UVec2::new(3, 3)));
         assert_eq!(drawn.places(), before, "in view {name}");
+    }
+}
+
+#[test]
+fn every_word_fits_in_the_width_that_the_panel_has_at_first() {
+    let mut drawn = Drawn::new();
+    for section in ["Passes", "Materials", "Lights"] {
+        drawn.click_on(section);
+    }
+    let material = description().materials.keys().next().unwrap().clone();
+    drawn.click_on(&material);
+    let inner = drawn.panel.width().unwrap();
+    for (view, name) in ViewMode::ALL {
+        drawn.engine.set_view(view);
+        drawn.read(Some(UVec2::new(16, 20)));
+        assert_eq!(drawn.panel.width(), Some(inner));
+        for (text, rect) in drawn.texts().into_iter().filter(|(text, _)| !text.trim().is_empty()) {
+            assert!(rect.left() >= 900.0 - inner && rect.right() <= 900.0, "`{text}` is cut at {rect} in view {name}");
+        }
     }
 }
 

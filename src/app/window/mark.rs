@@ -22,19 +22,23 @@ pub fn draw(context: &Context, picture: Rect, mark: &Mark) {
     for stroke in STROKES {
         mark.lines.iter().for_each(|line| _ = painter.line_segment(*line, stroke));
     }
+    let around = Rect::from_points(&mark.lines.as_flattened().iter().copied().collect::<Vec<_>>());
+    if !around.intersects(picture) {
+        // The mesh is elsewhere.
+        return;
+    }
     let text = painter.layout_no_wrap(mark.name.clone(), FontId::proportional(13.0), COLOUR);
-    let at = label_place(mark, picture, text.size());
-    let around = Rect::from_min_size(at, text.size()).expand2(vec2(4.0, 2.0));
-    painter.rect_filled(around, 3.0, Color32::from_black_alpha(190));
+    let at = label_place(around, picture, text.size());
+    let back = Rect::from_min_size(at, text.size()).expand2(vec2(4.0, 2.0));
+    painter.rect_filled(back, 3.0, Color32::from_black_alpha(190));
     painter.galley(at, text, COLOUR);
 }
 
 /// Above the lines where there is room, and in the picture in any case.
-fn label_place(mark: &Mark, picture: Rect, size: egui::Vec2) -> Pos2 {
+fn label_place(around: Rect, picture: Rect, size: egui::Vec2) -> Pos2 {
     const MARGIN: f32 = 6.0;
-    let box_of = Rect::from_points(&mark.lines.as_flattened().iter().copied().collect::<Vec<_>>());
     let wanted =
-        Align2::CENTER_BOTTOM.anchor_size(box_of.intersect(picture).center_top() - vec2(0.0, MARGIN), size).min;
+        Align2::CENTER_BOTTOM.anchor_size(around.intersect(picture).center_top() - vec2(0.0, MARGIN), size).min;
     let room = picture.shrink(MARGIN);
     let [most_x, most_y] = [room.right() - size.x, room.bottom() - size.y];
     pos2(wanted.x.min(most_x).max(room.left()), wanted.y.min(most_y).max(room.top()))

@@ -18,12 +18,14 @@ const MOST_SWATCHES: usize = 8;
 
 /// Draws all of it, in the width and, of many swatches, the height that there is.
 pub fn show(ui: &mut Ui, legend: &Legend) {
-    ui.add(egui::Label::new(RichText::new(legend.title).small()).truncate());
+    ui.add(egui::Label::new(caption(legend.title)).truncate());
     if let Some(bar) = &legend.bar {
         draw_bar(ui, bar);
     }
     if !legend.swatches.is_empty() {
         ScrollArea::vertical().id_salt("swatches").max_height(ui.available_height()).show(ui, |ui| {
+            // Rows are as high as a swatch and its name.
+            ui.spacing_mut().interact_size.y = SWATCH;
             ui.horizontal_wrapped(|ui| {
                 for (colour, name) in &legend.swatches {
                     swatch(ui, *colour, name);
@@ -31,6 +33,11 @@ pub fn show(ui: &mut Ui, legend: &Legend) {
             });
         });
     }
+}
+
+/// Words beside colours: a little smaller than other text.
+pub fn caption(text: &str) -> RichText {
+    RichText::new(text).size(11.0)
 }
 
 /// Draws it over the lower left of the picture, small; of many swatches the first ones.
@@ -46,7 +53,7 @@ pub fn over(context: &Context, picture: Rect, mut legend: Legend) {
             ui.spacing_mut().item_spacing.y = 2.0;
             show(ui, &legend);
             if more > 0 {
-                ui.label(RichText::new(format!("and {more} more: F2 shows all")).small());
+                ui.label(caption(&format!("and {more} more: F2 shows all")));
             }
         });
     });

@@ -35,7 +35,7 @@ pub fn legend(view: ViewMode, reach: f32, materials: &[String]) -> Option<Legend
     let with_bar = |title, bar| Legend { bar: Some(bar), ..plain(title) };
     Some(match view {
         ViewMode::Beauty | ViewMode::Debug => return None,
-        ViewMode::Albedo => with_bar("light that is given back, of all that comes", albedo()),
+        ViewMode::Albedo => with_bar("the part of light that is given back", albedo()),
         ViewMode::Normal => Legend { swatches: normals(), ..plain("where the surface faces, towards the camera") },
         ViewMode::Depth => with_bar("distance from the camera, units of the scene", depth(reach)),
         ViewMode::Material => Legend { swatches: named(materials), ..plain("a colour for each material") },

@@ -1,8 +1,9 @@
 //! The legend of view "debug": the range of what code shows of itself.
 
-use egui::{RichText, Ui};
+use egui::Ui;
 
 use super::text;
+use crate::app::window::legend::draw::caption;
 use crate::engine::DebugRange;
 
 /// What colours there are, and what is seen of them.
@@ -16,8 +17,6 @@ pub fn legend(ui: &mut Ui, range: &DebugRange) {
     }
     let part = 100.0 * f64::from(range.shown) / f64::from(range.pixels.max(1));
     let broken = if range.broken > 0 { format!("; {} pixels are no numbers", range.broken) } else { String::new() };
-    text::line(
-        ui,
-        RichText::new(format!("0 to 1 as light, no exposure; in {part:.1} % of all pixels{broken}")).small(),
-    );
+    let said = format!("0 to 1 as light, no exposure; in {part:.1} % of all pixels{broken}");
+    text::line(ui, caption(&said));
 }

@@ -1,6 +1,6 @@
 //! The panel: what the engine does, and what can be changed about it.
 //!
-//! It stands at the right of the picture, and covers nothing of it. Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
+//! It stands at the right of the picture, and covers nothing of it. Every section keeps its height, whatever there is to say. Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
 //! engine finds out by itself what it makes undone.
 
 pub mod curve;

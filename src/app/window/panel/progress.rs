@@ -4,6 +4,7 @@ use egui::{RichText, Ui};
 
 use super::readings::Readings;
 use super::{curve, text};
+use crate::app::window::legend::draw::caption;
 
 /// What is not known yet.
 const NOTHING: &str = "-";
@@ -49,5 +50,5 @@ pub fn show(ui: &mut Ui, readings: &Readings) {
         }
     });
     curve::show(ui, &readings.curve);
-    text::line(ui, RichText::new("estimated relMSE over seconds, both logarithmic").small());
+    text::line(ui, caption("estimated relMSE over seconds, both logarithmic"));
 }

@@ -1,9 +1,10 @@
 //! What the picture shows, to choose from, and what its colours mean.
 
-use egui::{RichText, Ui, UiBuilder, vec2};
+use egui::{Ui, UiBuilder, vec2};
 
 use super::{debug, text};
-use crate::app::window::legend::{draw, legend};
+use crate::app::window::legend::draw::{self, caption};
+use crate::app::window::legend::legend;
 use crate::engine::{DebugRange, Engine};
 use crate::layout::view::ViewMode;
 
@@ -27,7 +28,10 @@ pub fn show(ui: &mut Ui, engine: &mut Engine, debug: Option<&DebugRange>) -> boo
     match (legend(mode, engine.view_reach(), &engine.material_names()), debug) {
         (Some(legend), _) => draw::show(&mut room, &legend),
         (None, Some(range)) if mode == ViewMode::Debug => debug::legend(&mut room, range),
-        _ => text::line(&mut room, RichText::new("the film, by its exposure and tone").small()),
+        (None, None) if mode == ViewMode::Debug => {
+            text::line(&mut room, caption("what shaders show of themselves: not read yet"))
+        }
+        _ => text::line(&mut room, caption("the film, by its exposure and tone")),
     }
     mode != before
 }
