@@ -1,14 +1,19 @@
 //! The window: its mathematics by themselves, and all of it on a display of its own.
 
+mod beside;
 #[cfg(target_os = "linux")]
 mod display;
+mod dock;
 #[cfg(target_os = "linux")]
 mod edits;
 mod family;
 mod files;
+#[cfg(target_os = "linux")]
+mod fine;
 mod flight;
 mod inspect;
 mod keys;
+mod legend;
 #[cfg(target_os = "linux")]
 mod lens;
 mod live;
@@ -26,8 +31,10 @@ mod person;
 mod room;
 #[cfg(target_os = "linux")]
 mod save;
+mod selection;
 mod session;
 #[cfg(target_os = "linux")]
 mod states;
+mod steady;
 #[cfg(target_os = "linux")]
 mod xvfb;

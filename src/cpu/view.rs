@@ -73,8 +73,8 @@ impl ViewScene<'_> {
                     (material.kd.as_dvec3() * part(maps.diffuse), material.ks.as_dvec3() * part(maps.specular));
                 (kd + ks).to_array().map(srgb_byte)
             }
-            VIEW_NORMAL => self.normal(triangle, &hit, ray.direction).to_array().map(|v| code(0.5 * v + 0.5)),
-            VIEW_DEPTH => [code(f64::from(params.reach) / (f64::from(params.reach) + f64::from(hit.t))); 3],
+            VIEW_NORMAL => normal_colour(self.normal(triangle, &hit, ray.direction)),
+            VIEW_DEPTH => [depth_code(params.reach, hit.t); 3],
             VIEW_MATERIAL => material_colour(triangle.material),
             VIEW_COST => heat(hit.steps, VIEW_MOST_STEPS),
             VIEW_UV if !self.textures.maps.is_empty() => {
@@ -131,8 +131,18 @@ fn code(value: f64) -> u8 {
     (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
 }
 
+/// The grey of a distance: white at the camera, half at `reach`; both in one unit.
+pub fn depth_code(reach: f32, distance: f32) -> u8 {
+    code(f64::from(reach) / (f64::from(reach) + f64::from(distance)))
+}
+
+/// The colour of a normal, unit length.
+pub fn normal_colour(normal: DVec3) -> [u8; 3] {
+    normal.to_array().map(|v| code(0.5 * v + 0.5))
+}
+
 /// A colour that is not dark, from a hash of the material's index (PCG: O'Neill 2014).
-fn material_colour(index: u32) -> [u8; 3] {
+pub fn material_colour(index: u32) -> [u8; 3] {
     let state = index.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
     let mixed = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
     let hash = (mixed >> 22) ^ mixed;
@@ -140,7 +150,7 @@ fn material_colour(index: u32) -> [u8; 3] {
 }
 
 /// From black by red and yellow to white.
-fn heat(part: u32, most: u32) -> [u8; 3] {
+pub fn heat(part: u32, most: u32) -> [u8; 3] {
     let v = part.min(most) * 768 / most;
     [0, 256, 512].map(|from| v.saturating_sub(from).min(255) as u8)
 }

@@ -3,6 +3,7 @@
 mod debug;
 mod film;
 mod inspect;
+mod mesh;
 mod report;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -17,6 +18,7 @@ pub use crate::systems::resources::{Spent, TextureUse, TreeBuilder};
 pub use debug::DebugRange;
 pub use film::FilmImage;
 pub use inspect::{Inspected, LookedUp, Seen};
+pub use mesh::MeshExtent;
 pub use report::Report;
 
 use crate::components::{self, Camera, Film, Render};
@@ -25,8 +27,8 @@ use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription, SceneText};
 use crate::shader::{Library, Parameter};
 use crate::systems::resources::{
-    Budget, CompileListener, Device, Endless, FilmProgress, Frame, Live, SceneGeometry, Shot, Sky, SkySource, Target,
-    Textures, Viewed,
+    Budget, CompileListener, Device, Endless, FilmProgress, Frame, Live, MaterialSlot, SceneGeometry, Shot, Sky,
+    SkySource, Target, Textures, Viewed,
 };
 use crate::systems::{self, Entered, Fault, Reload};
 use crate::watch::{Problem, ReloadEvent, Sources, WatchError};
@@ -198,6 +200,11 @@ impl Engine {
         inspect::inspect(&mut self.world, pixel)
     }
 
+    /// What is known of the mesh of a name, as it was last extracted; none if there is no such mesh.
+    pub fn mesh(&self, name: &str) -> Option<MeshExtent> {
+        mesh::extent(&self.world, name)
+    }
+
     /// Times every pass from now on, where the device can.
     pub fn set_timing(&mut self, on: bool) {
         self.world.resource_mut::<Device>().0.set_timing(on);
@@ -228,17 +235,33 @@ impl Engine {
         self.world.resource::<Viewed>().0
     }
 
+    /// The distance from the camera that view "depth" shows as half, scene units, as the scene was last extracted.
+    pub fn view_reach(&self) -> f32 {
+        systems::present::reach(self.world.resource::<SceneGeometry>())
+    }
+
+    /// The materials' names, in the order of the numbers that view "material ids" shows.
+    pub fn material_names(&self) -> Vec<String> {
+        let Some(mut materials) = self.world.try_query::<(&components::Name, &MaterialSlot)>() else {
+            return Vec::new();
+        };
+        let mut named: Vec<_> = materials.iter(&self.world).map(|(name, slot)| (slot.0, name.to_string())).collect();
+        named.sort();
+        named.into_iter().map(|(_, name)| name).collect()
+    }
+
     /// What shaders showed of themselves, row by row from the top, linear, with 1 behind each colour and all 0 where there is none; none
     /// unless that is what the picture shows.
     pub fn debug_colours(&self) -> Result<Option<Vec<Vec4>>, EngineError> {
         debug::read_debug(&self.world)
     }
 
-    /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.
-    pub fn draw(&self, surface: &mut Surface, fit: Fit, paint: Paint) -> Result<Drawn, EngineError> {
+    /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it. `place` is how it lies on
+    /// so many pixels from the window's top left.
+    pub fn draw(&self, surface: &mut Surface, place: (Fit, UVec2), paint: Paint) -> Result<Drawn, EngineError> {
         // Of a film that starts anew there is nothing yet, or what a step left that failed.
         let size = film::progress(&self.world).shown.map(|_| self.window_size());
-        Ok(surface.draw(&self.world.resource::<Device>().0, size, fit, paint)?)
+        Ok(surface.draw(&self.world.resource::<Device>().0, size, place, paint)?)
     }
 
     /// Runs the schedule once: takes up changes, and adds samples for about `budget`.

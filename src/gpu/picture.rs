@@ -9,10 +9,10 @@ use crate::shader::{Features, Library, on_large_stack};
 /// The module that draws it.
 const MODULE: &str = "window/picture";
 
-/// How a picture of another shape than the window lies on it.
+/// How a picture of another shape than its area of the window lies on that.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fit {
-    /// Over all of the window.
+    /// Over all of the area.
     Fill,
     /// As large as it gets, in its own shape, with black beside it.
     Letterbox,
@@ -21,15 +21,15 @@ pub enum Fit {
 }
 
 impl Fit {
-    /// Where a picture lies: top left corner and size, in window pixels.
-    pub fn place(self, picture: UVec2, window: UVec2) -> (Vec2, Vec2) {
-        let (picture, window) = (picture.max(UVec2::ONE).as_vec2(), window.as_vec2());
+    /// Where a picture lies on an area of so many pixels: top left corner and size, in window pixels.
+    pub fn place(self, picture: UVec2, area: UVec2) -> (Vec2, Vec2) {
+        let (picture, area) = (picture.max(UVec2::ONE).as_vec2(), area.as_vec2());
         let extent = match self {
-            Fit::Fill => window,
-            Fit::Letterbox => picture * (window / picture).min_element(),
+            Fit::Fill => area,
+            Fit::Letterbox => picture * (area / picture).min_element(),
             Fit::Pixels { scale, origin } => return (origin.as_vec2(), picture * scale as f32),
         };
-        (0.5 * (window - extent), extent)
+        (0.5 * (area - extent), extent)
     }
 }
 
@@ -71,12 +71,18 @@ impl PictureDrawing {
         on_large_stack(|| gpu.guarded("the pipeline that draws the picture", make))
     }
 
-    /// Says what is drawn next on a window of some size: the `picture` buffer, if it holds a picture, of so many pixels; else the last
-    /// one, in its own shape.
-    pub fn bind(&self, gpu: &Gpu, runtime: &Runtime, shown: Option<UVec2>, fit: Fit, window: UVec2) -> wgpu::BindGroup {
+    /// Says what is drawn next on so many pixels of the window: the `picture` buffer, if it holds a picture, of the size `shown`; else the
+    /// last one, in its own shape.
+    pub fn bind(
+        &self,
+        gpu: &Gpu,
+        runtime: &Runtime,
+        shown: Option<UVec2>,
+        (fit, area): (Fit, UVec2),
+    ) -> wgpu::BindGroup {
         let picture = shown.and_then(|size| Some((runtime.buffer("picture")?, size, fit)));
         let (picture, size, fit) = picture.unwrap_or((&self.last, self.last_size, Fit::Letterbox));
-        let (origin, extent) = fit.place(size, window);
+        let (origin, extent) = fit.place(size, area);
         let params = WindowParams { origin, extent, size };
         gpu.queue.write_buffer(&self.params, 0, bytemuck::bytes_of(&params));
         let buffers = [&self.params, picture];

@@ -89,12 +89,13 @@ impl Surface {
         self.gpu.guarded("the window's surface", || self.surface.configure(&self.gpu.device, &self.configuration))
     }
 
-    /// Draws a frame and presents it: the runtime's `picture`, of the size `shown`, or the last one where there is none.
+    /// Draws a frame and presents it: the runtime's `picture`, of the size `shown`, or the last one where there is none. `place` is how it
+    /// lies on so many pixels from the top left; `paint` may cover the rest.
     pub fn draw(
         &mut self,
         runtime: &Runtime,
         shown: Option<UVec2>,
-        fit: Fit,
+        place: (Fit, UVec2),
         mut paint: Paint,
     ) -> Result<Drawn, GpuError> {
         // Taken up whether or not there is a frame: egui sends each texture once, and asserts that none is dropped.
@@ -107,7 +108,7 @@ impl Surface {
         let drawn = match self.frame()? {
             Some(frame) => {
                 let suboptimal = frame.suboptimal;
-                self.encode(&frame.texture, runtime, shown, fit, &paint)?;
+                self.encode(&frame.texture, runtime, shown, place, &paint)?;
                 self.gpu.queue.present(frame.texture);
                 if suboptimal {
                     self.configure()?;
@@ -145,7 +146,7 @@ impl Surface {
         texture: &wgpu::SurfaceTexture,
         runtime: &Runtime,
         shown: Option<UVec2>,
-        fit: Fit,
+        place: (Fit, UVec2),
         paint: &Paint,
     ) -> Result<(), GpuError> {
         let (gpu, size) = (self.gpu.clone(), self.size());
@@ -153,7 +154,7 @@ impl Surface {
             egui_wgpu::ScreenDescriptor { size_in_pixels: size.to_array(), pixels_per_point: paint.pixels_per_point };
         gpu.guarded("a frame", || {
             let view = texture.texture.create_view(&Default::default());
-            let bound = self.picture.bind(&gpu, runtime, shown, fit, size);
+            let bound = self.picture.bind(&gpu, runtime, shown, place);
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             let mut commands =
                 self.ui.update_buffers(&gpu.device, &gpu.queue, &mut encoder, &paint.primitives, &screen);

@@ -72,7 +72,11 @@ fn record_picture(
 
 /// What the pass `view` is given.
 pub fn view_params(geometry: &SceneGeometry, shot: &Shot, mode: ViewMode) -> ViewParams {
+    ViewParams { trace_params: shot.params, mode: mode as u32, reach: reach(geometry), pad0: 0, pad1: 0 }
+}
+
+/// The distance that view "depth" shows as 1/2, scene units: the scene's size.
+pub fn reach(geometry: &SceneGeometry) -> f32 {
     let size = (geometry.high - geometry.low).length() as f32;
-    let reach = if size.is_normal() { size } else { 1.0 };
-    ViewParams { trace_params: shot.params, mode: mode as u32, reach, pad0: 0, pad1: 0 }
+    if size.is_normal() { size } else { 1.0 }
 }

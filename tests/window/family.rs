@@ -165,6 +165,19 @@ fn a_person_steps_through_a_family() {
     person.see("both members", |look| {
         rows(look, 0..90) == rows(&white, 0..90) && rows(look, 100..192) == rows(&blue, 100..192)
     });
+    // A hand at the line between them moves that, and no camera.
+    person.display.point(96, 100);
+    std::thread::sleep(Duration::from_millis(300));
+    person.display.button(1, true);
+    for x in [90, 70, 48] {
+        person.display.point(x, 100);
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    person.display.button(1, false);
+    person.display.point(150, 20);
+    person.see("less of the first member", |look| {
+        rows(look, 0..44) == rows(&white, 0..44) && rows(look, 52..192) == rows(&blue, 52..192)
+    });
     person.display.key(compare);
     person.see("the second member alone", |look| *look == blue);
 

@@ -38,8 +38,9 @@ impl Section {
         for events in [events, Vec::new(), Vec::new()] {
             let input = RawInput { screen_rect, events, ..RawInput::default() };
             let (world, edited) = (&mut self.world, &mut self.edited);
-            let output =
-                self.context.run_ui(input, |ui| *edited |= materials::show(ui, world, None, std::path::Path::new("")));
+            let output = self
+                .context
+                .run_ui(input, |ui| *edited |= materials::show(ui, world, None, None, std::path::Path::new("")));
             self.shapes = output.shapes;
             for command in output.platform_output.commands {
                 if let OutputCommand::CopyText(text) = command {

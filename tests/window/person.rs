@@ -54,25 +54,40 @@ impl Person {
 
     /// Opens a scene file of a folder.
     pub fn in_folder(folder: TempDir, scene: &str, more: &[&str]) -> Self {
-        Self::open(folder, scene, &[&["--size", "192x144", "--spp", SPP], more].concat())
+        Self::open(folder, scene, &[&["--no-panel", "--size", "192x144", "--spp", SPP], more].concat())
     }
 
     /// Opens the Cornell box in a window of some size, with so many samples a pixel, or as many as there is time for.
     pub fn sized(size: &str, spp: Option<&str>) -> Self {
         let spp: Vec<&str> = spp.into_iter().flat_map(|spp| ["--spp", spp]).collect();
-        Self::open(tempfile::tempdir().unwrap(), "cornell-box", &[&["--size", size], &*spp].concat())
+        Self::open(tempfile::tempdir().unwrap(), "cornell-box", &[&["--no-panel", "--size", size], &*spp].concat())
+    }
+
+    /// Opens the Cornell box of that size with the panel beside it.
+    pub fn with_panel(size: &str) -> Self {
+        Self::open(tempfile::tempdir().unwrap(), "cornell-box", &["--size", size, "--spp", SPP])
     }
 
     /// Opens files that can be edited in a window of some size; its film goes on.
     pub fn files_at(size: &str) -> Self {
-        Self::open(Self::files(), "scene.ron", &["--size", size])
+        Self::open(Self::files(), "scene.ron", &["--no-panel", "--size", size])
+    }
+
+    /// Opens the Cornell box of so many points on a display of two pixels a point.
+    pub fn on_a_fine_display(size: &str) -> Self {
+        Self::open_at("2", tempfile::tempdir().unwrap(), "cornell-box", &["--size", size, "--spp", SPP])
     }
 
     fn open(folder: TempDir, scene: &str, flags: &[&str]) -> Self {
+        Self::open_at("1", folder, scene, flags)
+    }
+
+    /// `scale` is pixels a point.
+    fn open_at(scale: &str, folder: TempDir, scene: &str, flags: &[&str]) -> Self {
         let display = Xvfb::start();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
         command.args(["view", scene]).args(flags).current_dir(folder.path());
-        command.env("DISPLAY", &display.name).env("WINIT_X11_SCALE_FACTOR", "1");
+        command.env("DISPLAY", &display.name).env("WINIT_X11_SCALE_FACTOR", scale);
         command.env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
         let file = |name: &str| std::fs::File::create(folder.path().join(name)).unwrap();
         command.stdin(Stdio::null()).stdout(file("stdout")).stderr(file("stderr"));
@@ -194,6 +209,7 @@ fn a_person_looks_moves_and_leaves() {
 
     person.display.key(F2);
     person.see("the panel beside the picture", |look| look.difference(&headless) > 10.0);
+    person.finish();
     // It looks at the film a last time a second after the one before.
     person.rest("the panel of a finished film", Duration::from_millis(1500), TICKS);
     person.display.key(F2);

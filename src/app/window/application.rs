@@ -9,6 +9,7 @@ use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::window::{Window, WindowId};
 
+use super::dock;
 use super::reason::reason;
 use super::session::{Opening, Session};
 use crate::app::shared::interrupt::end;
@@ -78,8 +79,8 @@ impl Application {
 
 impl ApplicationHandler for Application {
     fn resumed(&mut self, events: &ActiveEventLoop) {
-        let Some(opening) = self.opening.take() else { return };
-        let window = match events.create_window(attributes(events, &opening)) {
+        let Some(mut opening) = self.opening.take() else { return };
+        let window = match events.create_window(attributes(events, &mut opening)) {
             Ok(window) => Arc::new(window),
             Err(error) => return self.fail(events, Failure::of(NoWindow(reason(&error)))),
         };
@@ -130,16 +131,15 @@ impl ApplicationHandler for Application {
     }
 }
 
-/// A window of the film's size, in logical pixels, as far as the monitor has room.
-fn attributes(events: &ActiveEventLoop, opening: &Opening) -> winit::window::WindowAttributes {
-    let film = opening.description.film.window().size();
-    let mut size = LogicalSize::new(f64::from(film.x), f64::from(film.y));
+/// A window for the film, and the panel beside it where the screen has room for both.
+fn attributes(events: &ActiveEventLoop, opening: &mut Opening) -> winit::window::WindowAttributes {
     let monitor = events.primary_monitor().or_else(|| events.available_monitors().next());
-    if let Some(monitor) = monitor.filter(|monitor| monitor.size() != PhysicalSize::default()) {
+    let screen = monitor.filter(|monitor| monitor.size() != PhysicalSize::default()).map(|monitor| {
         let room: LogicalSize<f64> = monitor.size().to_logical(monitor.scale_factor());
-        // One factor for both sides: the picture keeps its shape.
-        let factor = (room.width / size.width).min(room.height / size.height).min(1.0);
-        size = LogicalSize::new((size.width * factor).max(1.0), (size.height * factor).max(1.0));
-    }
-    Window::default_attributes().with_title("Lucerna").with_inner_size(size)
+        [room.width, room.height]
+    });
+    let film = opening.description.film.window().size();
+    let dock::Opened { size: [width, height], panel } = dock::opened(film, screen, opening.panel);
+    opening.panel = panel;
+    Window::default_attributes().with_title("Lucerna").with_inner_size(LogicalSize::new(width, height))
 }

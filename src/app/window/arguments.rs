@@ -15,12 +15,15 @@ pub struct ViewArguments {
     /// A scene file (.ron), a variant file (.ron), a model (.obj), or the name of a file in assets/scenes or assets/variants
     #[arg(default_value = DEFAULT_SCENE)]
     pub scene: String,
+    /// Open without the panel of numbers and settings: F2 shows it
+    #[arg(long)]
+    pub no_panel: bool,
     #[command(flatten)]
     pub flags: SceneFlags,
 }
 
 impl Default for ViewArguments {
     fn default() -> Self {
-        Self { scene: DEFAULT_SCENE.to_owned(), flags: SceneFlags::default() }
+        Self { scene: DEFAULT_SCENE.to_owned(), no_panel: false, flags: SceneFlags::default() }
     }
 }

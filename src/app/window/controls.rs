@@ -20,6 +20,8 @@ pub enum Intent {
     Magnify(i32),
     /// To what is under the pointer.
     Focus,
+    /// The mesh under the pointer.
+    Select,
     FrameAll,
     /// The member of the family that is so many places farther.
     Member(i32),
@@ -56,6 +58,9 @@ const LINE_PIXELS: f64 = 40.0;
 /// A drag over the height of the window multiplies the distance by e to this.
 const ZOOM_DRAG: f64 = 3.0;
 
+/// A hand that presses a button moves the pointer no farther, points: it clicks and does not drag.
+const CLICK: f64 = 4.0;
+
 /// Keys that fly while they are held, by their places on the keyboard: right, up, forward.
 const FLIGHT: [(KeyCode, DVec3); 6] = [
     (KeyCode::KeyD, DVec3::X),
@@ -87,6 +92,8 @@ const SILENT: &[NamedKey] = &[
 pub struct Controls {
     held: HashSet<KeyCode>,
     drag: Option<MouseButton>,
+    /// Where the left button was pressed, while that may become a click.
+    click: Option<DVec2>,
     /// Pixels from the window's top left; none outside.
     pub cursor: Option<DVec2>,
     shift: bool,
@@ -96,18 +103,35 @@ pub struct Controls {
 }
 
 impl Controls {
-    /// Takes an event that the panel did not want. `height` of the window in pixels.
-    pub fn event(&mut self, event: &WindowEvent, height: f64) -> Option<Intent> {
+    /// Takes an event that the panel did not want. `height` of the window in pixels; `scale` is pixels a point.
+    pub fn event(&mut self, event: &WindowEvent, height: f64, scale: f64) -> Option<Intent> {
         match event {
             WindowEvent::ModifiersChanged(modifiers) => self.modify(modifiers),
             WindowEvent::KeyboardInput { event, is_synthetic: false, .. } => return self.key(event),
             WindowEvent::MouseInput { state: ElementState::Pressed, button: MouseButton::Left, .. } if self.control => {
                 return Some(Intent::Focus);
             }
-            WindowEvent::MouseInput { state: ElementState::Pressed, button, .. } => self.drag = Some(*button),
+            WindowEvent::MouseInput { state: ElementState::Pressed, button, .. } => {
+                let may_click = *button == MouseButton::Left && self.drag.is_none() && !self.shift;
+                self.click = self.cursor.filter(|_| may_click);
+                self.drag = Some(*button);
+            }
+            WindowEvent::MouseInput { state: ElementState::Released, button: MouseButton::Left, .. } => {
+                let clicked = self.click.take().map(|_| Intent::Select);
+                self.let_go(event);
+                return clicked;
+            }
             WindowEvent::CursorMoved { position, .. } => {
                 let at = DVec2::new(position.x, position.y);
-                let from = self.cursor.replace(at);
+                let mut from = self.cursor.replace(at);
+                if let Some(pressed) = self.click {
+                    if at.distance(pressed) <= CLICK * scale {
+                        return None;
+                    }
+                    // A drag after all: the hand gets what it has moved so far.
+                    self.click = None;
+                    from = Some(pressed);
+                }
                 return self.dragged((at - from?) / height.max(1.0));
             }
             WindowEvent::MouseWheel { delta, .. } => {
@@ -135,14 +159,14 @@ impl Controls {
                 self.held.remove(code);
             }
             WindowEvent::MouseInput { state: ElementState::Released, button, .. } if self.drag == Some(*button) => {
-                self.drag = None;
+                (self.drag, self.click) = (None, None);
             }
             WindowEvent::CursorMoved { position, .. } => self.cursor = Some(DVec2::new(position.x, position.y)),
             WindowEvent::CursorLeft { .. } => self.cursor = None,
             WindowEvent::ModifiersChanged(modifiers) => self.modify(modifiers),
             WindowEvent::Focused(false) => {
                 self.held.clear();
-                self.drag = None;
+                (self.drag, self.click) = (None, None);
             }
             _ => {}
         }

@@ -2,17 +2,17 @@
 
 use std::time::{Duration, Instant};
 
-use glam::UVec2;
-
 use super::cameras;
+use super::legend;
+use super::mark;
 use super::panel::Outcome;
 use super::screen::physical_size;
 use super::session::Session;
 use super::tracing::Rest;
 use crate::app::shared::failure::rendered;
-use crate::components::{Camera, Film};
+use crate::components::Camera;
 use crate::engine::{EngineError, Progress};
-use crate::gpu::{Drawn, Fit};
+use crate::gpu::Drawn;
 
 /// Sizes of the scene a second, at full speed.
 const FLIGHT_SPEED: f64 = 0.3;
@@ -55,7 +55,7 @@ impl Session {
             self.saving = false;
             self.save()?;
         }
-        let pixel = self.pixel_under_pointer();
+        let pixel = self.looked_at();
         let read = self.panel.read(&mut self.engine, pixel, self.tracing.began, now);
         if !matches!(read, Ok(false)) {
             self.survive("looking at the film", read)?;
@@ -70,37 +70,6 @@ impl Session {
     /// Seconds of tracing so far. The time of compiling is not in it.
     fn traced(&mut self) -> f64 {
         self.engine.spent().trace
-    }
-
-    /// How the picture lies on the window.
-    pub(super) fn fit(&mut self) -> Fit {
-        self.magnifier.fit(self.plain_fit())
-    }
-
-    /// How it does by itself: a crop keeps its shape, any other film is as large as the window.
-    fn plain_fit(&mut self) -> Fit {
-        let crop = self.engine.settings().is_some_and(|(film, _)| film.crop.is_some());
-        if crop { Fit::Letterbox } else { Fit::Fill }
-    }
-
-    /// Shows the picture's pixels larger, or smaller, about the pointer.
-    pub(super) fn magnify(&mut self, times: i32) {
-        let Some(pointer) = self.controls.cursor else { return };
-        let (picture, plain) = (self.engine.window_size(), self.plain_fit());
-        self.magnifier.turn(times, pointer.as_vec2(), picture, physical_size(&self.window), plain);
-        self.notify(match self.magnifier.scale() {
-            Some(scale) => format!("pixels at {scale}:1"),
-            None => "pixels at their own size".to_owned(),
-        });
-    }
-
-    /// The pixel of the picture that the pointer is on.
-    pub(super) fn pixel_under_pointer(&mut self) -> Option<UVec2> {
-        let (cursor, fit) = (self.controls.cursor?.as_vec2(), self.fit());
-        let size = self.engine.window_size();
-        let (origin, extent) = fit.place(size, physical_size(&self.window));
-        let at = (cursor - origin) / extent * size.as_vec2();
-        (at.cmpge(glam::Vec2::ZERO).all() && at.cmplt(size.as_vec2()).all()).then(|| at.as_uvec2())
     }
 
     /// Flies on, or comes to rest.
@@ -123,24 +92,6 @@ impl Session {
             self.film_restarts(now);
         }
         self.viewpoint.moved = false;
-    }
-
-    /// Gives the film the size that the window has for it.
-    pub(super) fn fit_film(&mut self) {
-        self.set_film_size(self.tracing.pace.film_size(physical_size(&self.window)));
-    }
-
-    /// A film without a crop is as large as the window wants it; a crop is a part of a film of one size.
-    fn set_film_size(&mut self, size: UVec2) {
-        let changed = self.engine.edit(|world| {
-            let mut films = world.query::<&mut Film>();
-            let film = films.iter_mut(world).next().filter(|film| film.crop.is_none() && film.size != size);
-            film.map(|mut film| film.size = size).is_some()
-        });
-        if changed {
-            self.end_judging();
-            self.film_restarts(Instant::now());
-        }
     }
 
     /// Runs the schedule once.
@@ -215,19 +166,28 @@ impl Session {
     /// Draws the picture there is, and what lies over it.
     fn draw(&mut self) -> Result<(), EngineError> {
         let begin = Instant::now();
-        let fit = self.fit();
+        let (fit, area) = (self.fit(), self.area());
         let name = self.name().to_owned();
+        let mark = self.mark();
         let (view, size) = (self.viewpoint.camera, self.scene_size());
-        let Session { screen, engine, overlay, panel, judgement, members, thumbs, .. } = self;
+        let Session { screen, engine, overlay, panel, judgement, members, thumbs, selected, .. } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
                 let family = members.as_ref().map(|members| (members, name.as_str(), &mut *thumbs));
-                outcome.add(panel.show(ui, engine, (&view, size), family));
+                outcome.add(panel.show(ui, engine, (&view, size), family, selected.as_deref()));
             }
-            overlay.show(ui.ctx(), judgement.line());
+            if let Some(mark) = &mark {
+                mark::draw(ui.ctx(), ui.available_rect_before_wrap(), mark);
+            }
+            if !panel.open
+                && let Some(legend) = legend::legend(engine.view(), engine.view_reach(), &engine.material_names())
+            {
+                legend::draw::over(ui.ctx(), ui.available_rect_before_wrap(), legend);
+            }
+            overlay.show(ui.ctx(), ui.available_rect_before_wrap(), judgement.line());
         });
-        self.activity.redraw = screen.draw(engine, fit, paint)? == Drawn::Later;
+        self.activity.redraw = screen.draw(engine, (fit, area), paint)? == Drawn::Later;
         // Else the next step would take the time of drawing for that of its samples.
         self.gpu.wait()?;
         self.follow_panel(outcome);

@@ -6,7 +6,6 @@ use std::time::Instant;
 use winit::window::Fullscreen;
 
 use super::controls::Intent;
-use super::screen::physical_size;
 use super::session::Session;
 use super::tracing::Rest;
 use super::{cameras, navigate, snapshot};
@@ -32,6 +31,7 @@ impl Session {
             }
             Intent::Magnify(times) => self.magnify(times),
             Intent::Focus => self.focus(now)?,
+            Intent::Select => self.select()?,
             Intent::FrameAll => self.frame_all(now),
             Intent::Camera(place) => {
                 let names: Vec<String> = self.engine.read(cameras::all).into_keys().collect();
@@ -124,7 +124,7 @@ impl Session {
 
     fn frame_all(&mut self, now: Instant) {
         let (low, high) = self.engine.bounds();
-        let size = physical_size(&self.window).as_dvec2();
+        let size = self.area().as_dvec2();
         self.set_view(navigate::frame(self.viewpoint.camera, low, high, size.x / size.y.max(1.0)), now);
     }
 

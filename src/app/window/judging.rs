@@ -41,7 +41,7 @@ pub struct Judging {
     found: Option<String>,
     /// How far it is, and what was found so far.
     pub line: String,
-    /// Half and half: the left of the old picture, the right of the new one, with the differing blocks marked.
+    /// The size of one picture, and both: by the old shaders, then by the new ones; the differing blocks are marked.
     pub split: Option<(UVec2, Vec<[u8; 4]>)>,
 }
 
@@ -103,9 +103,7 @@ impl Judging {
 
     fn split_picture(&self, analysis: &Analysis, [old, new]: &[Vec<[f32; 3]>; 2]) -> Vec<[u8; 4]> {
         let [old, new] = [old, new].map(|picture| marked(picture, analysis.size, self.scale, &analysis.means));
-        let width = analysis.size.x.max(1) as usize;
-        let pixels = old.into_iter().zip(new).enumerate();
-        pixels.map(|(i, (old, new))| if 2 * (i % width) < width { old } else { new }).collect()
+        [old, new].concat()
     }
 }
 

@@ -3,6 +3,10 @@
 /// A key or gesture, and what it does.
 pub const KEYS: &[(&str, &str)] = &[
     ("left drag", "orbit about the point that is looked at"),
+    (
+        "left click",
+        "select the mesh that is clicked, and show its material in the panel; again, or beside all: let go of it",
+    ),
     ("middle drag, Shift + left drag", "pan"),
     ("wheel, right drag", "come closer, go away"),
     ("Ctrl + wheel", "the picture's pixels as larger squares, up to 64:1; back to 1:1"),
@@ -17,9 +21,12 @@ pub const KEYS: &[(&str, &str)] = &[
     ("Ctrl + S", "save what was changed here into the scene's file"),
     ("J", "judge the last edit of the shaders by what was there before"),
     ("[ and ]", "the member before, and the next, of a family of scenes"),
-    ("V", "before on the left, after on the right: of what was judged, or of the last two members"),
+    (
+        "V",
+        "before on the left, after on the right: of what was judged, or of the last two members; the line between them can be dragged",
+    ),
     ("F1", "this help"),
-    ("F2", "the panel"),
+    ("F2", "the panel, off and on"),
     ("F5", "read shaders and scene again"),
     ("F11", "fullscreen"),
     ("F12", "save PNG and EXR to result/, and say the command that gives them again"),

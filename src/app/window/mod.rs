@@ -14,8 +14,13 @@
 //! | `snapshot`, `repeat` | saving what is seen; the command that gives it again |
 //! | `controls`, `keys` | events to intents; the table of keys |
 //! | `navigate`, `flight`, `pace` | pure: moving a camera, flying smoothly, how large a film and how many frames |
+//! | `dock` | pure: what the window gives to the picture, and what to the panel |
+//! | `placement` | where the picture lies, the size of its film, the pixel under the pointer |
+//! | `selection`, `mark`, `outline` | the mesh that was clicked; its mark over the picture; pure: the edges of its box as the camera sees them |
+//! | `legend` | what the colours of a view mean; drawn in the panel, and over the picture where that is closed |
 //! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
+//! | `beside` | drawing: two pictures with a divider between them |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
 //! | `save_edits`, `scene_file` | what was changed goes into the scene's file |
 //! | `saves`, `judge`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
@@ -24,9 +29,11 @@
 pub mod activity;
 mod application;
 mod arguments;
+pub mod beside;
 mod cameras;
 mod controls;
 mod display;
+pub mod dock;
 mod failures;
 pub mod family;
 pub mod flight;
@@ -36,19 +43,24 @@ mod judge;
 mod judgement;
 mod judging;
 pub mod keys;
+pub mod legend;
 pub mod magnifier;
+mod mark;
 mod members;
 pub mod navigate;
+pub mod outline;
 mod overlay;
 pub mod pace;
 pub mod pair;
 pub mod panel;
+mod placement;
 mod reason;
 mod repeat;
 mod save_edits;
 mod saves;
 pub mod scene_file;
 mod screen;
+mod selection;
 mod session;
 mod snapshot;
 pub mod thumbs;
@@ -79,7 +91,7 @@ struct Ended(winit::error::EventLoopError);
 pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
     let events = display::open()?;
     let (wake, flags) = (events.create_proxy(), arguments.flags.clone());
-    let opening = match variant_file(&arguments.scene) {
+    let mut opening = match variant_file(&arguments.scene) {
         Some(path) => {
             let (family, opened, library) = Family::open(&path, &flags)?;
             Opening::new(opened, library, flags, wake).of_family(family)
@@ -90,6 +102,7 @@ pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
             Opening::new(opened, library, flags, wake)
         }
     };
+    opening.panel = !arguments.no_panel;
     let mut application = Application::new(opening);
     events.run_app(&mut application).map_err(|error| Failure::of(Ended(error)))?;
     application.outcome()

@@ -14,7 +14,7 @@ use crate::scene::edit;
 const POLE_MARGIN: f64 = 0.01;
 
 /// The camera's own axes: right, up and forward, unit length.
-fn axes(camera: &Camera) -> [DVec3; 3] {
+pub(super) fn axes(camera: &Camera) -> [DVec3; 3] {
     let forward = (camera.look_at - camera.position).normalize_or(DVec3::NEG_Z);
     let right = forward.cross(camera.up).normalize_or(forward.any_orthonormal_vector());
     [right, right.cross(forward), forward]

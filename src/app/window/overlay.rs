@@ -2,9 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{Align2, Color32, Context, RichText};
+use egui::{Align2, Color32, Context, Rect, RichText};
 use glam::UVec2;
 
+use super::beside::Beside;
 use super::keys::KEYS;
 use super::pair::Seen;
 
@@ -22,19 +23,14 @@ pub struct Overlay {
     notice_ends: Option<Instant>,
     /// Each stays until it is no longer listed: a shader that doesn't compile, a device that has no room.
     pub problems: Vec<String>,
-    /// A picture over the whole window, in place of the film: its size, and sRGB.
-    split: Option<(UVec2, Vec<[u8; 4]>)>,
-    /// The same, once it was drawn.
-    drawn: Option<egui::TextureHandle>,
-    /// What was shown before, over the left half of the film; and what to say of both.
-    pair: Option<(Seen, String)>,
-    drawn_pair: Option<egui::TextureHandle>,
+    /// Two pictures in place of the film, or one over a part of it.
+    pub beside: Beside,
 }
 
 impl Overlay {
     /// Whether nothing of it is to be seen.
     pub fn is_empty(&self) -> bool {
-        !self.help && self.notice.is_none() && self.problems.is_empty() && self.split.is_none() && self.pair.is_none()
+        !self.help && self.notice.is_none() && self.problems.is_empty() && self.beside.is_empty()
     }
 
     /// Says something at the bottom of the window, for a while.
@@ -54,101 +50,56 @@ impl Overlay {
         over
     }
 
-    /// Shows this in place of the film from now on.
-    pub fn show_split(&mut self, picture: Option<(UVec2, Vec<[u8; 4]>)>) {
-        (self.split, self.drawn) = (picture, None);
+    /// Shows both pictures of what was judged in place of the film from now on.
+    pub fn show_split(&mut self, pictures: Option<(UVec2, Vec<[u8; 4]>)>) {
+        self.beside.show_split(pictures);
     }
 
     /// Shows what was seen before beside the film of the scene `now` from now on.
     pub fn show_pair(&mut self, before: Option<&Seen>, now: &str) {
-        let pair = before.map(|before| (before.clone(), format!("{} | {now}", before.name)));
-        if self.pair != pair {
-            (self.pair, self.drawn_pair) = (pair, None);
-        }
+        self.beside.show_pair(before, now);
     }
 
-    /// Draws it, and a line about what is judged. Takes no input but for selecting the text of problems.
-    pub fn show(&mut self, context: &Context, judged: Option<&str>) {
-        self.draw_pair(context);
-        self.draw_split(context);
-        show_problems(context, &self.problems);
+    /// Draws it over the picture's area of the window, and a line about what is judged. Takes no input but for selecting the text of
+    /// problems, and for the divider between two pictures.
+    pub fn show(&mut self, context: &Context, picture: Rect, judged: Option<&str>) {
+        self.beside.draw(context, picture);
+        show_problems(context, picture, &self.problems);
         if let Some(judged) = judged {
-            show_line(context, "judged", Align2::CENTER_TOP, judged);
-        } else if let Some((_, names)) = &self.pair {
-            show_line(context, "pair", Align2::CENTER_TOP, names);
+            show_line(context, picture, "judged", Align2::CENTER_TOP, judged);
+        } else if let Some(names) = self.beside.names() {
+            show_line(context, picture, "pair", Align2::CENTER_TOP, names);
         }
         if let Some(notice) = &self.notice {
-            show_line(context, "notice", Align2::CENTER_BOTTOM, notice);
+            show_line(context, picture, "notice", Align2::CENTER_BOTTOM, notice);
         }
         if self.help {
-            show_keys(context);
+            show_keys(context, picture);
         }
     }
 }
 
-impl Overlay {
-    fn draw_split(&mut self, context: &Context) {
-        let Some((size, pixels)) = &self.split else { return };
-        let texture = self.drawn.get_or_insert_with(|| texture(context, "split", *size, pixels));
-        let rect = context.viewport_rect();
-        let painter = context.layer_painter(egui::LayerId::background());
-        painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
-        painter.vline(rect.center().x, rect.y_range(), LINE);
-    }
-
-    /// The left half, as it lay on the window; black where nothing did.
-    fn draw_pair(&mut self, context: &Context) {
-        let Some((seen, _)) = &self.pair else { return };
-        let texture = self.drawn_pair.get_or_insert_with(|| texture(context, "pair", seen.size, &seen.pixels));
-        let rect = context.viewport_rect();
-        let left = egui::Rect::from_min_max(rect.min, egui::pos2(rect.center().x, rect.max.y));
-        let points = context.pixels_per_point();
-        let window = (glam::vec2(rect.width(), rect.height()) * points).round().as_uvec2();
-        let (min, extent) = seen.fit.place(seen.size, window);
-        let place = egui::Rect::from_min_size(
-            rect.min + egui::vec2(min.x, min.y) / points,
-            egui::vec2(extent.x, extent.y) / points,
-        );
-        let painter = context.layer_painter(egui::LayerId::background()).with_clip_rect(left);
-        painter.rect_filled(left, 0.0, Color32::BLACK);
-        painter.image(texture.id(), place, WHOLE, Color32::WHITE);
-        context.layer_painter(egui::LayerId::background()).vline(left.right(), rect.y_range(), LINE);
-    }
-}
-
-/// All of a texture.
-const WHOLE: egui::Rect = egui::Rect { min: egui::pos2(0.0, 0.0), max: egui::pos2(1.0, 1.0) };
-
-/// Between two pictures.
-const LINE: egui::Stroke = egui::Stroke { width: 1.0, color: Color32::WHITE };
-
-fn texture(context: &Context, name: &str, size: UVec2, pixels: &[[u8; 4]]) -> egui::TextureHandle {
-    let size = [size.x as usize, size.y as usize];
-    let image = egui::ColorImage::from_rgba_unmultiplied(size, pixels.as_flattened());
-    context.load_texture(name, image, egui::TextureOptions::NEAREST)
-}
-
-/// A line of text at an edge of the window.
-fn show_line(context: &Context, name: &str, at: Align2, text: &str) {
+/// A line of text at an edge of the picture.
+fn show_line(context: &Context, picture: Rect, name: &str, at: Align2, text: &str) {
     let area = egui::Area::new(egui::Id::unique(name)).interactable(false).fade_in(false);
     let shift = if at == Align2::CENTER_TOP { 10.0 } else { -10.0 };
-    area.anchor(at, [0.0, shift]).show(context, |ui| {
+    area.constrain_to(picture).anchor(at, [0.0, shift]).show(context, |ui| {
         egui::Frame::popup(ui.style()).show(ui, |ui| {
-            ui.set_max_width(room(context).x);
+            ui.set_max_width(room(picture).x);
             ui.add(egui::Label::new(text));
         });
     });
 }
 
-fn show_problems(context: &Context, problems: &[String]) {
+fn show_problems(context: &Context, picture: Rect, problems: &[String]) {
     if problems.is_empty() {
         return;
     }
     let area = egui::Area::new(egui::Id::unique("problems")).fade_in(false);
-    area.anchor(Align2::LEFT_TOP, [8.0, 8.0]).show(context, |ui| {
+    area.constrain_to(picture).anchor(Align2::LEFT_TOP, [8.0, 8.0]).show(context, |ui| {
         let frame = egui::Frame::popup(ui.style()).fill(Color32::from_rgba_unmultiplied(60, 8, 8, 235));
         frame.show(ui, |ui| {
-            let room = room(context);
+            let room = room(picture);
             ui.set_max_width(room.x);
             egui::ScrollArea::both().max_height(room.y).show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
@@ -170,12 +121,12 @@ fn show_problems(context: &Context, problems: &[String]) {
     });
 }
 
-/// The table of keys, to be scrolled in a window that is too small for it.
-fn show_keys(context: &Context) {
+/// The table of keys, to be scrolled where the picture is too small for it.
+fn show_keys(context: &Context, picture: Rect) {
     let area = egui::Area::new(egui::Id::unique("keys")).fade_in(false);
-    area.anchor(Align2::CENTER_CENTER, [0.0, 0.0]).show(context, |ui| {
+    area.constrain_to(picture).anchor(Align2::CENTER_CENTER, [0.0, 0.0]).show(context, |ui| {
         egui::Frame::popup(ui.style()).show(ui, |ui| {
-            let room = room(context);
+            let room = room(picture);
             egui::ScrollArea::both().max_width(room.x).max_height(room.y).show(ui, |ui| {
                 egui::Grid::new("keys").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
                     for (key, meaning) in KEYS {
@@ -189,7 +140,7 @@ fn show_keys(context: &Context) {
     });
 }
 
-/// What the window leaves to something that lies in it with a frame.
-fn room(context: &Context) -> egui::Vec2 {
-    (context.viewport_rect().size() - egui::vec2(32.0, 32.0)).max(egui::Vec2::splat(16.0))
+/// What the picture's area leaves to something that lies in it with a frame.
+fn room(picture: Rect) -> egui::Vec2 {
+    (picture.size() - egui::vec2(32.0, 32.0)).max(egui::Vec2::splat(16.0))
 }

@@ -70,10 +70,15 @@ impl Screen {
         (paint, again)
     }
 
-    /// Draws the engine's picture, and the user interface over it.
-    pub fn draw(&mut self, engine: &Engine, fit: Fit, paint: Paint) -> Result<Drawn, EngineError> {
+    /// Pixels of the window a point of the user interface, as it was last run.
+    pub fn scale(&self) -> f32 {
+        self.state.egui_ctx().pixels_per_point()
+    }
+
+    /// Draws the engine's picture on an area of the window, from its top left, and the user interface over it.
+    pub fn draw(&mut self, engine: &Engine, place: (Fit, UVec2), paint: Paint) -> Result<Drawn, EngineError> {
         self.window.pre_present_notify();
-        engine.draw(&mut self.surface, fit, paint)
+        engine.draw(&mut self.surface, place, paint)
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
+use glam::UVec2;
 use winit::event::WindowEvent;
 use winit::event_loop::EventLoopProxy;
 use winit::window::Window;
@@ -31,6 +32,7 @@ use crate::app::shared::textures::TextureNotices;
 use crate::engine::{Engine, EngineError, FilmImage};
 use crate::gpu::{Gpu, GpuError};
 use crate::layout::film::FilmPixel;
+use crate::layout::view::ViewMode;
 use crate::scene::SceneDescription;
 use crate::shader::Library;
 
@@ -44,6 +46,8 @@ pub struct Opening {
     family: Option<Family>,
     /// The shaders to go on with.
     shaders: Library,
+    /// The panel is open at first.
+    pub panel: bool,
     /// A device was lost.
     again: bool,
     /// Wakes the window when something was saved.
@@ -51,9 +55,10 @@ pub struct Opening {
 }
 
 impl Opening {
-    /// A scene as it was read, and the shaders that draw it.
+    /// A scene as it was read, and the shaders that draw it; with the panel.
     pub fn new(opened: Opened, shaders: Library, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
-        Self { description: opened.description.clone(), opened, flags, family: None, shaders, again: false, wake }
+        let description = opened.description.clone();
+        Self { description, opened, flags, family: None, shaders, panel: true, again: false, wake }
     }
 
     /// A member of a family.
@@ -92,6 +97,10 @@ pub struct Session {
     pub(super) panel: Panel,
     pub(super) viewpoint: Viewpoint,
     pub(super) magnifier: Magnifier,
+    /// The name of the mesh that was clicked.
+    pub(super) selected: Option<String>,
+    /// The pixel of the picture that is looked at.
+    pub(super) pixel: Option<UVec2>,
     pub(super) tracing: Tracing,
     pub(super) activity: Activity,
     pub(super) failures: Failures,
@@ -127,7 +136,7 @@ impl Session {
         let (_, view) = engine.camera().ok_or(EngineError::NoCamera)?;
         let most_pixels = gpu.limits.max_storage_buffer_binding_size / size_of::<FilmPixel>() as u64;
         let folder = opening.opened.path.parent().map(Path::to_path_buf).unwrap_or_default();
-        let panel = Panel::new(features, gpu.is_software(), folder);
+        let panel = Panel::new(opening.panel, features, gpu.is_software(), folder);
         let now = Instant::now();
         Ok(Session {
             window,
@@ -140,6 +149,8 @@ impl Session {
             panel,
             viewpoint: Viewpoint::new(view, opening.opened.description.cameras.clone()),
             magnifier: Magnifier::default(),
+            selected: None,
+            pixel: None,
             tracing: Tracing::new(most_pixels, now),
             activity: Activity::new(now),
             failures: Failures::default(),
@@ -170,7 +181,8 @@ impl Session {
         }
         let shaders = self.engine.library();
         self.end_judging();
-        (self.window, Opening { description, opened, shaders, again: true, ..self.opening })
+        let panel = self.panel.open;
+        (self.window, Opening { description, opened, shaders, panel, again: true, ..self.opening })
     }
 
     pub fn window(&self) -> &Window {
@@ -273,19 +285,22 @@ impl Session {
         } else {
             self.screen.forget_events();
         }
-        if response.consumed && visible {
+        let height = f64::from(physical_size(&self.window).y);
+        // The user interface knows the pointer from its last run: what is on the panel since then is the panel's too.
+        if visible && (response.consumed || self.is_for_panel(event)) {
             self.controls.let_go(event);
             if self.controls.wants_save(event) {
                 self.act(Intent::SaveEdits)?;
             }
-        } else if let Some(intent) = self.controls.event(event, f64::from(physical_size(&self.window).y)) {
+        } else if let Some(intent) = self.controls.event(event, height, self.window.scale_factor()) {
             self.act(intent)?;
         }
         Ok(())
     }
 
     fn shows_ui(&self) -> bool {
-        self.panel.open || !self.overlay.is_empty() || self.judgement.is_shown()
+        let legend = self.engine.view() != ViewMode::Beauty;
+        self.panel.open || legend || self.selected.is_some() || !self.overlay.is_empty() || self.judgement.is_shown()
     }
 
     /// When the next frame is due; none while nothing changes.
@@ -301,7 +316,7 @@ impl Session {
         if works || self.activity.redraw || moves {
             return Some(self.activity.last_frame + pace::FRAME);
         }
-        let pixel = self.pixel_under_pointer();
+        let pixel = self.looked_at();
         let reading = self.panel.next_reading(&mut self.engine, pixel, self.tracing.began);
         [self.overlay.expires_at(), self.activity.ui_again, reading].into_iter().flatten().min()
     }

@@ -2,6 +2,8 @@
 
 use egui::Ui;
 
+use super::text;
+use crate::app::window::legend::draw::caption;
 use crate::engine::DebugRange;
 
 /// What colours there are, and what is seen of them.
@@ -14,8 +16,7 @@ pub fn legend(ui: &mut Ui, range: &DebugRange) {
         ui.monospace(format!("{name:5}  {:.4} to {:.4}", range.least[channel], range.most[channel]));
     }
     let part = 100.0 * f64::from(range.shown) / f64::from(range.pixels.max(1));
-    ui.small(format!("light from 0 to 1 as it is, without exposure; called in {part:.1} % of all pixels"));
-    if range.broken > 0 {
-        ui.label(format!("{} pixels are no numbers, and count for none of that", range.broken));
-    }
+    let broken = if range.broken > 0 { format!("; {} pixels are no numbers", range.broken) } else { String::new() };
+    let said = format!("0 to 1 as light, no exposure; in {part:.1} % of all pixels{broken}");
+    text::line(ui, caption(&said));
 }

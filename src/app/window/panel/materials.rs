@@ -4,29 +4,49 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use bevy_ecs::prelude::*;
-use egui::{CollapsingHeader, DragValue, RichText, Slider, Ui};
+use egui::{CollapsingHeader, Color32, DragValue, RichText, Slider, Ui};
 use glam::Vec3;
 
 use super::copy;
 use super::maps::{self, Choices};
 use crate::components::{Maps, Material, Name, Texture};
+use crate::engine::MeshExtent;
 use crate::scene::{Colour, KEYS, Key, MtlMaterial, Range, Value};
+
+/// What is selected, as it is marked in the picture.
+const SELECTED: Color32 = crate::app::window::mark::COLOUR;
 
 /// Colours nearer than this are taken as one.
 const COLOUR_STEP: f32 = 1e-4;
 
-/// All materials by name, that under the pointer marked; `folder` is that of the scene's file. Says whether one was written.
-pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>, folder: &Path) -> bool {
+/// All materials by name, that under the pointer marked; above them the selected mesh, if there is one, with its material opened. `folder` is
+/// that of the scene's file. Says whether one was written.
+pub fn show(
+    ui: &mut Ui,
+    world: &mut World,
+    seen: Option<&str>,
+    selected: Option<&(&str, MeshExtent)>,
+    folder: &Path,
+) -> bool {
     let textures = textures(world);
     let choices = Choices::of(world.query::<&MtlMaterial>().iter(world));
     let mut query = world.query::<(&Name, &mut MtlMaterial, &mut Material, &mut Maps)>();
     let mut materials: Vec<_> = query.iter_mut(world).collect();
     materials.sort_by_key(|(name, ..)| *name);
+    let chosen = selected.and_then(|(mesh, extent)| {
+        ui.label(RichText::new(told(mesh, extent)).color(SELECTED));
+        extent.material.as_deref()
+    });
+    // Its own first, and all others as they were.
+    materials.sort_by_key(|(name, ..)| chosen != Some(name.as_str()));
     let mut edited = false;
     for (name, numbers, material, rendered) in &mut materials {
         let title = RichText::new(name.as_str());
         let title = if seen == Some(name.as_str()) { title.strong().underline() } else { title };
-        CollapsingHeader::new(title).id_salt(name.as_str()).show(ui, |ui| {
+        let is_chosen = chosen == Some(name.as_str());
+        let title = if is_chosen { title.color(SELECTED) } else { title };
+        // Known by another name than in its usual place: so it is open when it comes, and there as it was when it has gone.
+        CollapsingHeader::new(title).id_salt((name.as_str(), is_chosen)).default_open(is_chosen).show(ui, |ui| {
             let mut edit = (**numbers).clone();
             sliders(ui, &mut edit);
             maps::show(ui, &mut edit, &choices);
@@ -45,6 +65,17 @@ pub fn show(ui: &mut Ui, world: &mut World, seen: Option<&str>, folder: &Path) -
         ui.label("the scene has none");
     }
     edited
+}
+
+/// A selected mesh in a line.
+fn told(mesh: &str, extent: &MeshExtent) -> String {
+    let material = if extent.material.is_none() { ", of the default material" } else { "" };
+    format!("selected: {mesh}, {} triangles{material}", extent.triangles)
+}
+
+/// The maps that a material of the scene has at most.
+pub fn most_maps(world: &mut World) -> usize {
+    world.query::<&MtlMaterial>().iter(world).map(|material| material.maps.uses().count()).max().unwrap_or(0)
 }
 
 /// The scene's textures, by their names.

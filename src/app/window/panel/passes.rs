@@ -1,36 +1,54 @@
 //! Where the time goes, and what is left out.
 
-use egui::{RichText, Ui};
+use egui::{Color32, FontId, RichText, Stroke, TextFormat, TextStyle, Ui, text::LayoutJob};
 
 use super::readings::Readings;
+use super::text;
 use crate::passes::table::TABLE;
 
-/// Time by pass, passes that did not run, and features that are not compiled.
+/// Every pass with how often it ran and its time, and every feature that shaders know: lists that stay as they are, whatever runs.
 pub fn show(ui: &mut Ui, readings: &Readings, software: bool) {
-    if software {
-        // Seen on llvmpipe: beside a window, a dispatch of 100 ms reads as 0.02 ms, and others as more than they are.
-        ui.label("of a software driver beside a window, not exact");
-    }
-    if readings.passes.is_empty() {
-        ui.label("no times: nothing ran since, or the adapter has none");
-    }
+    text::line(ui, note(readings, software));
     egui::Grid::new("passes").num_columns(3).striped(true).show(ui, |ui| {
-        for pass in &readings.passes {
-            ui.label(pass.name);
-            ui.monospace(format!("{:>5} x", pass.count));
-            ui.monospace(format!("{:>9.3} ms", pass.milliseconds));
+        for pass in TABLE {
+            let timed = readings.passes.iter().find(|timed| timed.name == pass.name);
+            let count = timed.map(|timed| timed.count).or_else(|| readings.dispatched.get(pass.name).copied());
+            let ran = count.is_some();
+            ui.label(if ran { RichText::new(pass.name) } else { RichText::new(pass.name).weak() });
+            let cell = |text: Option<String>, width: usize| format!("{:>width$}", text.unwrap_or("-".to_owned()));
+            ui.monospace(cell(count.map(|count| format!("{count} x")), 7));
+            ui.monospace(cell(timed.map(|timed| format!("{:.3} ms", timed.milliseconds)), 12));
             ui.end_row();
         }
     });
-    let idle: Vec<&str> = TABLE.iter().map(|pass| pass.name).filter(|n| !readings.dispatched.contains_key(n)).collect();
-    list(ui, "not run", &idle.join(", "));
-    let left_out: Vec<&str> =
-        readings.features.iter().filter(|feature| !readings.needed.contains(feature)).map(String::as_str).collect();
-    list(ui, "compiled in", &readings.needed.join(", "));
-    list(ui, "left out", &left_out.join(", "));
+    ui.label(RichText::new("features").strong())
+        .on_hover_text("struck out: nothing in the scene needs it, and no shader has it");
+    ui.label(features(ui, readings));
 }
 
-fn list(ui: &mut Ui, title: &str, names: &str) {
-    ui.label(RichText::new(title).strong());
-    ui.label(if names.is_empty() { "nothing" } else { names });
+fn note(readings: &Readings, software: bool) -> &'static str {
+    match (readings.passes.is_empty(), software) {
+        (true, _) => "no times: nothing ran since, or the adapter has none",
+        // Seen on llvmpipe: beside a window, a dispatch of 100 ms reads as 0.02 ms, and others as more than they are.
+        (_, true) => "of a software driver beside a window, not exact",
+        _ => "between the last two readings",
+    }
+}
+
+/// All that shaders know; what is left out is struck out.
+fn features(ui: &Ui, readings: &Readings) -> LayoutJob {
+    let font: FontId = TextStyle::Body.resolve(ui.style());
+    let [bright, dim]: [Color32; 2] = [ui.visuals().text_color(), ui.visuals().weak_text_color()];
+    let mut job = LayoutJob::default();
+    for (place, feature) in readings.features.iter().enumerate() {
+        let left_out = !readings.needed.contains(feature);
+        let colour = if left_out { dim } else { bright };
+        let plain = TextFormat::simple(font.clone(), colour);
+        let strikethrough = if left_out { Stroke::new(1.0, dim) } else { Stroke::NONE };
+        if place > 0 {
+            job.append(", ", 0.0, TextFormat::simple(font.clone(), dim));
+        }
+        job.append(feature, 0.0, TextFormat { strikethrough, ..plain });
+    }
+    job
 }

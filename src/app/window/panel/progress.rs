@@ -1,14 +1,18 @@
 //! How far the film is, and how its error falls.
 
-use egui::{Color32, Ui};
-use egui_plot::{Line, Plot, PlotPoints};
+use egui::{RichText, Ui};
 
 use super::readings::Readings;
+use super::{curve, text};
+use crate::app::window::legend::draw::caption;
+
+/// What is not known yet.
+const NOTHING: &str = "-";
 
 /// Numbers as users read them: 1234567 is 1.23 M, and 0 is nothing yet.
 fn short(value: f64) -> String {
     if value == 0.0 {
-        return "-".to_owned();
+        return NOTHING.to_owned();
     }
     let (scaled, unit) = match value {
         v if v >= 1e9 => (v * 1e-9, " G"),
@@ -19,42 +23,32 @@ fn short(value: f64) -> String {
     format!("{scaled:.2}{unit}")
 }
 
-/// Samples, rates, and the curve of the error.
+/// Samples, rates, and the curve of the error: all lines are there from the start, so that nothing below them moves.
 pub fn show(ui: &mut Ui, readings: &Readings) {
+    let nothing = || NOTHING.to_owned();
+    let of = readings.target.map_or(String::new(), |target| format!(" of {target}"));
+    let (triangles, bad) = match &readings.report {
+        Some(report) => (report.triangles.to_string(), report.bad_samples),
+        None => (nothing(), 0),
+    };
+    let rows = [
+        ("samples", format!("{}{of}", readings.spp)),
+        ("samples/s", short(readings.samples_per_second)),
+        ("rays/s", short(readings.rays_per_second)),
+        ("estimated relMSE", readings.error.map_or_else(nothing, |error| format!("{error:.3e}"))),
+        ("triangles", triangles),
+        ("bad samples", bad.to_string()),
+    ];
     egui::Grid::new("progress").num_columns(2).show(ui, |ui| {
-        let mut row = |name: &str, value: String| {
+        for (name, value) in rows {
             ui.label(name);
-            ui.monospace(value);
+            let value = RichText::new(value).monospace();
+            let warns = name == "bad samples" && bad > 0;
+            let value = if warns { value.color(ui.visuals().warn_fg_color) } else { value };
+            ui.add(egui::Label::new(value).extend());
             ui.end_row();
-        };
-        let of = readings.target.map_or(String::new(), |target| format!(" of {target}"));
-        row("samples", format!("{}{of}", readings.spp));
-        row("samples/s", short(readings.samples_per_second));
-        row("rays/s", short(readings.rays_per_second));
-        row("estimated relMSE", readings.error.map_or("-".to_owned(), |error| format!("{error:.3e}")));
-        if let Some(report) = &readings.report {
-            row("triangles", report.triangles.to_string());
-            if report.bad_samples > 0 {
-                row("bad samples", report.bad_samples.to_string());
-            }
         }
     });
-    if readings.curve.len() < 2 {
-        return;
-    }
-    Plot::new("error")
-        .height(130.0)
-        .show_x(false)
-        .show_y(false)
-        .allow_scroll(false)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_boxed_zoom(false)
-        .x_axis_formatter(|mark, _| short(10f64.powf(mark.value)))
-        .y_axis_formatter(|mark, _| format!("{:.0e}", 10f64.powf(mark.value)))
-        .label_formatter(|_| None)
-        .show(ui, |plot| {
-            plot.line(Line::new("relMSE", PlotPoints::from(readings.curve.clone())).color(Color32::LIGHT_GREEN));
-        });
-    ui.small("estimated relMSE over seconds, both logarithmic");
+    curve::show(ui, &readings.curve);
+    text::line(ui, caption("estimated relMSE over seconds, both logarithmic"));
 }

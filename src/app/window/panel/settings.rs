@@ -1,13 +1,11 @@
-//! Cameras and views to choose from, and how the scene is rendered.
+//! Cameras to choose from, and how the scene is rendered.
 
 use bevy_ecs::prelude::*;
 use egui::{DragValue, Slider, Ui};
 
-use super::debug;
 use crate::app::window::cameras;
 use crate::components::{Film, Render};
-use crate::engine::{DebugRange, Engine};
-use crate::layout::view::ViewMode;
+use crate::engine::Engine;
 use crate::scene::settings::{Choice, SETTINGS, Setting, Settings, Value};
 
 /// The scene's cameras by name. Returns the one that was clicked.
@@ -23,22 +21,6 @@ pub fn cameras(ui: &mut Ui, engine: &Engine) -> Option<String> {
         }
     });
     chosen
-}
-
-/// What the picture shows; `debug` is what is known of view "debug". Says whether another was chosen.
-pub fn view(ui: &mut Ui, engine: &mut Engine, debug: Option<&DebugRange>) -> bool {
-    let before = engine.view();
-    let mut mode = before;
-    ui.horizontal_wrapped(|ui| {
-        for (choice, name) in ViewMode::ALL {
-            ui.selectable_value(&mut mode, choice, name);
-        }
-    });
-    engine.set_view(mode);
-    if let (ViewMode::Debug, Some(range)) = (mode, debug) {
-        debug::legend(ui, range);
-    }
-    mode != before
 }
 
 /// The settings of film and render. Says whether one was written.
