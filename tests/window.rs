@@ -7,6 +7,8 @@ mod edits;
 mod family;
 mod flight;
 mod inspect;
+#[cfg(target_os = "linux")]
+mod judged;
 mod keys;
 #[cfg(target_os = "linux")]
 mod lens;
@@ -21,6 +23,7 @@ mod panel;
 mod parameters;
 #[cfg(target_os = "linux")]
 mod person;
+mod record;
 #[cfg(target_os = "linux")]
 mod room;
 mod session;

@@ -17,10 +17,13 @@ pub struct ViewArguments {
     pub scene: String,
     #[command(flatten)]
     pub flags: SceneFlags,
+    /// Don't judge edits of shaders by themselves while the window is left alone: J judges
+    #[arg(long)]
+    pub no_judge: bool,
 }
 
 impl Default for ViewArguments {
     fn default() -> Self {
-        Self { scene: DEFAULT_SCENE.to_owned(), flags: SceneFlags::default() }
+        Self { scene: DEFAULT_SCENE.to_owned(), flags: SceneFlags::default(), no_judge: false }
     }
 }

@@ -17,7 +17,8 @@
 //! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
-//! | `saves`, `judge`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
+//! | `saves`, `edits` | what was saved meanwhile; the record of it, kept and judged by itself |
+//! | `judge`, `judging` | whether an edit made the estimator better, worse or wrong |
 //! | `panel` | numbers, curves, sliders |
 
 pub mod activity;
@@ -26,6 +27,7 @@ mod arguments;
 mod cameras;
 mod controls;
 mod display;
+pub mod edits;
 mod failures;
 pub mod family;
 pub mod flight;
@@ -87,7 +89,7 @@ pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
             Opening::new(opened, library, flags, wake)
         }
     };
-    let mut application = Application::new(opening);
+    let mut application = Application::new(opening.judging(!arguments.no_judge));
     events.run_app(&mut application).map_err(|error| Failure::of(Ended(error)))?;
     application.outcome()
 }

@@ -10,6 +10,7 @@ use winit::window::Window;
 use super::activity::Activity;
 use super::cameras;
 use super::controls::Controls;
+use super::edits::Edits;
 use super::failures::Failures;
 use super::family::{Family, Listing};
 use super::judgement::Judgement;
@@ -23,6 +24,7 @@ use super::screen::{Screen, physical_size};
 use super::thumbs::Thumbs;
 use super::tracing::Tracing;
 use super::viewpoint::Viewpoint;
+use crate::app::edits::PLACE;
 use crate::app::shared::failure::show;
 use crate::app::shared::scene::{Opened, SceneFlags};
 use crate::app::shared::textures::TextureNotices;
@@ -44,6 +46,10 @@ pub struct Opening {
     shaders: Library,
     /// A device was lost.
     again: bool,
+    /// Edits are judged without being asked for it.
+    judges: bool,
+    /// What was saved on a device that was lost.
+    edits: Option<Edits>,
     /// Wakes the window when something was saved.
     wake: EventLoopProxy<()>,
 }
@@ -51,12 +57,18 @@ pub struct Opening {
 impl Opening {
     /// A scene as it was read, and the shaders that draw it.
     pub fn new(opened: Opened, shaders: Library, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
-        Self { description: opened.description.clone(), opened, flags, family: None, shaders, again: false, wake }
+        let description = opened.description.clone();
+        Self { description, opened, flags, family: None, shaders, again: false, judges: true, edits: None, wake }
     }
 
     /// A member of a family.
     pub fn of_family(self, family: Family) -> Self {
         Self { family: Some(family), ..self }
+    }
+
+    /// Whether edits are judged without being asked for it.
+    pub fn judging(self, judges: bool) -> Self {
+        Self { judges, ..self }
     }
 
     /// Watches the scene's files and the shaders. The window does without if that can't be done.
@@ -85,6 +97,8 @@ pub struct Session {
     /// What to open again on another device.
     opening: Opening,
     pub(super) judgement: Judgement,
+    /// What was saved since the window opened.
+    pub(super) edits: Edits,
     pub(super) controls: Controls,
     pub(super) overlay: Overlay,
     pub(super) panel: Panel,
@@ -106,7 +120,7 @@ pub struct Session {
 
 impl Session {
     /// Opens a device for the window, and the scene on it.
-    pub fn open(window: Arc<Window>, opening: Opening) -> Result<Session, EngineError> {
+    pub fn open(window: Arc<Window>, mut opening: Opening) -> Result<Session, EngineError> {
         let library = opening.shaders.clone();
         let features = library.features().map_err(GpuError::from)?.into_iter().collect();
         let (gpu, screen) = Screen::open(&window, &library)?;
@@ -122,12 +136,20 @@ impl Session {
         let most_pixels = gpu.limits.max_storage_buffer_binding_size / size_of::<FilmPixel>() as u64;
         let panel = Panel::new(features, gpu.is_software());
         let now = Instant::now();
+        let edits = opening.edits.take().unwrap_or_else(|| {
+            let wake = opening.wake.clone();
+            let woken = move || {
+                let _ = wake.send_event(());
+            };
+            Edits::new(&opening.description.name, library, PLACE.into(), opening.judges, woken)
+        });
         Ok(Session {
             window,
             screen,
             engine,
             gpu,
-            judgement: Judgement::new(library),
+            judgement: Judgement::default(),
+            edits,
             controls: Controls::default(),
             overlay: Overlay::default(),
             panel,
@@ -158,7 +180,8 @@ impl Session {
         }
         let shaders = self.engine.library();
         self.end_judging();
-        (self.window, Opening { description, opened, shaders, again: true, ..self.opening })
+        let edits = Some(self.edits);
+        (self.window, Opening { description, opened, shaders, again: true, edits, ..self.opening })
     }
 
     pub fn window(&self) -> &Window {
@@ -190,6 +213,11 @@ impl Session {
         self.activity.quit
     }
 
+    /// Has on the disk what is to outlive the window.
+    pub fn finish(&self) {
+        self.edits.flush();
+    }
+
     pub(super) fn quit(&mut self) {
         self.end_judging();
         self.activity.quit = true;
@@ -197,8 +225,12 @@ impl Session {
 
     /// The next step may find something to do.
     pub fn resume(&mut self) {
+        if self.engine.has_saves() || self.engine.is_compiling_saves() {
+            self.touch(Instant::now());
+        }
+        self.hear_keeper();
+        self.show_judgement();
         self.activity.working = true;
-        self.activity.redraw |= self.judgement.is_shown();
     }
 
     /// Something is to be drawn anew.
@@ -237,6 +269,11 @@ impl Session {
     /// Takes an event of the window: first the user interface, then the controls.
     pub fn event(&mut self, event: &WindowEvent) -> Result<(), EngineError> {
         match event {
+            WindowEvent::CursorMoved { .. }
+            | WindowEvent::MouseInput { .. }
+            | WindowEvent::MouseWheel { .. }
+            | WindowEvent::KeyboardInput { .. }
+            | WindowEvent::Touch(_) => self.touch(Instant::now()),
             WindowEvent::Resized(_) => {
                 self.screen.resize()?;
                 let now = Instant::now();
@@ -276,13 +313,14 @@ impl Session {
             return None;
         }
         // Judging has the device to itself, and wakes the window when it has found something.
-        let works = self.activity.working && !self.judgement.is_under_way();
+        let works = self.activity.working && !self.judgement.has_device();
         let moves = self.viewpoint.moved || self.viewpoint.flies(self.controls.flight());
         if works || self.activity.redraw || moves {
             return Some(self.activity.last_frame + pace::FRAME);
         }
         let pixel = self.pixel_under_pointer();
         let reading = self.panel.next_reading(&mut self.engine, pixel, self.tracing.began);
-        [self.overlay.expires_at(), self.activity.ui_again, reading].into_iter().flatten().min()
+        let judging = self.judging_due();
+        [self.overlay.expires_at(), self.activity.ui_again, reading, judging].into_iter().flatten().min()
     }
 }

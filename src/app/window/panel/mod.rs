@@ -4,6 +4,7 @@
 //! engine finds out by itself what it makes undone.
 
 pub mod debug;
+pub mod edits;
 pub mod lens;
 pub mod lights;
 mod maps;
@@ -25,6 +26,7 @@ use crate::app::window::thumbs::Thumbs;
 use crate::components::{Camera, Lens};
 use crate::engine::{Engine, EngineError};
 
+use edits::{EditsAction, EditsShown};
 use readings::Readings;
 
 /// What a user did in the panel.
@@ -40,6 +42,8 @@ pub struct Outcome {
     pub lens: Option<Lens>,
     /// A member of the family was chosen.
     pub member: Option<String>,
+    /// What is wanted of the record of edits.
+    pub edits: Option<EditsAction>,
 }
 
 impl Outcome {
@@ -50,6 +54,7 @@ impl Outcome {
         self.camera = later.camera.or(self.camera.take());
         self.lens = later.lens.or(self.lens.take());
         self.member = later.member.or(self.member.take());
+        self.edits = later.edits.or(self.edits);
     }
 }
 
@@ -91,13 +96,14 @@ impl Panel {
     }
 
     /// Draws it, at the right side of the window. `view` is the camera and the size of the scene; `family` are its members, the name of the one
-    /// that is shown, and their pictures.
+    /// that is shown, and their pictures; `saved` is what was saved since the window opened.
     pub fn show(
         &self,
         ui: &mut egui::Ui,
         engine: &mut Engine,
         (camera, size): (&Camera, f64),
         family: Option<(&Listing, &str, &mut Thumbs)>,
+        saved: &EditsShown,
     ) -> Outcome {
         let mut outcome = Outcome::default();
         let samples = wanted_samples(engine);
@@ -105,6 +111,7 @@ impl Panel {
         let frame = egui::Frame::side_top_panel(ui.style()).fill(fill);
         egui::Panel::right("panel").frame(frame).default_size(300.0).show(ui, |ui| {
             egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                section(ui, "Edits", true, |ui| outcome.edits = edits::show(ui, saved));
                 if let Some((list, shown, thumbs)) = family {
                     section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
                 }
