@@ -26,6 +26,7 @@ mod person;
 mod record;
 #[cfg(target_os = "linux")]
 mod room;
+mod rows;
 mod session;
 #[cfg(target_os = "linux")]
 mod states;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use egui::{Color32, Label, RichText, ScrollArea, Sense, Ui, UiBuilder, Vec2};
+use egui::{Color32, FontId, Label, RichText, ScrollArea, Sense, Ui, UiBuilder, Vec2};
 
 use crate::app::edits::{Kind, Lint, State, age, now};
 use crate::app::window::edits::Edits;
@@ -15,6 +15,9 @@ const ROWS: f32 = 5.0;
 /// Lines of a row.
 const LINES: f32 = 3.0;
 
+/// Of the letters, points.
+const SIZE: f32 = 11.0;
+
 /// Between two looks at how long ago rows were saved.
 const AGE: Duration = Duration::from_secs(60);
 
@@ -25,10 +28,10 @@ const GREY: Color32 = Color32::from_gray(150);
 
 /// What the section shows.
 pub struct EditsShown<'a> {
-    record: &'a Record,
-    automatic: bool,
+    pub record: &'a Record,
+    pub automatic: bool,
     /// Judging waits for the device.
-    rests: bool,
+    pub rests: bool,
 }
 
 impl<'a> EditsShown<'a> {
@@ -67,7 +70,7 @@ pub fn show(ui: &mut Ui, shown: &EditsShown) -> Option<EditsAction> {
 /// The rows. Returns the one that is to run again.
 fn list(ui: &mut Ui, shown: &EditsShown, rows: &[&Row]) -> Option<RowId> {
     let mut clicked = None;
-    let line = ui.text_style_height(&egui::TextStyle::Small);
+    let line = ui.fonts_mut(|fonts| fonts.row_height(&FontId::proportional(SIZE)));
     let height = LINES * (line + 1.0) + 6.0;
     let all = ROWS * (height + ui.spacing().item_spacing.y);
     ScrollArea::vertical().id_salt("edits").max_height(all).show_rows(ui, height, rows.len(), |ui, seen| {
@@ -100,7 +103,7 @@ fn show_row(ui: &mut Ui, shown: &EditsShown, row: &Row, height: f32) -> bool {
     let mut inner = ui.new_child(UiBuilder::new().max_rect(rect.shrink2(Vec2::new(5.0, 3.0))));
     inner.spacing_mut().item_spacing.y = 1.0;
     let mut say = |text: String, colour: Color32| {
-        inner.add(Label::new(RichText::new(text).small().color(colour)).truncate().selectable(false));
+        inner.add(Label::new(RichText::new(text).size(SIZE).color(colour)).truncate().selectable(false));
     };
     say(heading(row, runs, waits), Color32::from_gray(230));
     let (text, colour) = verdict(row, shown.rests && runs);
