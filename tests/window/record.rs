@@ -147,7 +147,7 @@ fn pixels_and_lint_find_their_rows() {
     let a = record.take(saved("a.wgsl"), &shaders("a"), true);
     assert_eq!((record.show(0.25), record.show(0.5)), (Some(a), None));
     assert_eq!(record.row(a).unwrap().edit.pixels_told(), "250 ms");
-    assert_eq!(record.lint(Lint::Warned(vec!["pdf is off".to_owned()])), a);
+    assert_eq!(record.lint(Lint::Warned(vec!["lib/a.wgsl: pdf is off".to_owned()])), a);
 
     // A warning stands until surfaces are linted again and found to be right.
     let b = record.take(saved("b.wgsl"), &shaders("b"), true);
@@ -160,7 +160,7 @@ fn pixels_and_lint_find_their_rows() {
     record.lint(Lint::Clean);
     assert_eq!((told(&record, c), told(&record, a)), ("lint: nothing found".to_owned(), "lint: pdf is off".to_owned()));
     let d = record.take(saved("d.wgsl"), &shaders("d"), true);
-    assert_eq!(told(&record, d), "not linted: no code of surfaces");
+    assert_eq!(told(&record, d), "not linted: surfaces run the same code");
 }
 
 #[test]

@@ -112,8 +112,8 @@ impl Edit {
     /// What lint says of it in a few words; `inherited` are warnings of code before it that stand as long as nothing mends them.
     pub fn lint_told(&self, inherited: &[String]) -> String {
         let count = |warnings: &[String]| match warnings {
-            [one] => one.clone(),
-            [one, others @ ..] => format!("{one} (and {} more)", others.len()),
+            [one] => without_file(one).to_owned(),
+            [one, others @ ..] => format!("{} (and {} more)", without_file(one), others.len()),
             [] => String::new(),
         };
         match &self.lint {
@@ -121,8 +121,16 @@ impl Edit {
             Lint::Clean => "lint: nothing found".to_owned(),
             Lint::Warned(warnings) => format!("lint: {}", count(warnings)),
             Lint::NotLinted if !inherited.is_empty() => format!("lint, as before: {}", count(inherited)),
-            Lint::NotLinted => "not linted: no code of surfaces".to_owned(),
+            Lint::NotLinted => "not linted: surfaces run the same code".to_owned(),
         }
+    }
+}
+
+/// A warning without the file that it begins with.
+fn without_file(warning: &str) -> &str {
+    match warning.split_once(": ") {
+        Some((file, message)) if file.ends_with(".wgsl") => message,
+        _ => warning,
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::edit::{Edit, Kind, State, age, now};
+use super::edit::{Edit, Lint, State, age, now};
 use super::folder::Kept;
 use crate::app::shared::describe::quoted;
 
@@ -37,10 +37,14 @@ pub fn one(kept: &Kept, written: Option<&Path>, as_json: bool) -> String {
     let Kept { number, before, edit, .. } = kept;
     let mut text = format!("edit {number}: {}, {}, {}\n", edit.what(), edit.scene, age(edit.saved, now()));
     edit.files.iter().for_each(|file| text += &format!("  {file}\n"));
-    let facts = [edit.pixels_told(), edit.lint_told(&[]), verdict(edit, &edit.verdict.line)];
+    let lint = match &edit.lint {
+        Lint::Warned(warnings) => warnings.join("\n"),
+        Lint::Clean => "nothing found".to_owned(),
+        Lint::NotLinted => String::new(),
+    };
+    let facts = [edit.pixels_told(), lint, verdict(edit, &edit.verdict.line)];
     let names = ["pixels after the save", "lint", "verdict"];
     for (name, fact) in names.into_iter().zip(facts).filter(|(_, fact)| !fact.is_empty()) {
-        let fact = fact.strip_prefix("lint: ").unwrap_or(&fact);
         text += &format!("  {name}: {}\n", fact.trim_end().replace('\n', "\n    "));
     }
     let scene = quoted(&edit.scene);
@@ -67,10 +71,11 @@ pub fn one(kept: &Kept, written: Option<&Path>, as_json: bool) -> String {
 
 fn row(kept: &Kept) -> [String; 7] {
     let edit = &kept.edit;
-    let lint = edit.lint_told(&[]);
-    let lint = match edit.kind {
-        Kind::Shaders => lint.strip_prefix("lint: ").unwrap_or(&lint).to_owned(),
-        Kind::Opened | Kind::Scene => String::new(),
+    let lint = match &edit.lint {
+        Lint::Clean => "nothing found".to_owned(),
+        Lint::Warned(warnings) if warnings.len() == 1 => "1 warning".to_owned(),
+        Lint::Warned(warnings) => format!("{} warnings", warnings.len()),
+        Lint::NotLinted => String::new(),
     };
     [
         kept.number.to_string(),

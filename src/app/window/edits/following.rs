@@ -1,6 +1,6 @@
 //! The session's saves become rows of the record, and a row that was clicked runs again.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::record::RowId;
@@ -13,7 +13,7 @@ impl Session {
     /// Something that was saved runs now. Returns what to say of it where a row was gone back to, or left.
     pub(in crate::app::window) fn record_taken(
         &mut self,
-        files: &[std::path::PathBuf],
+        files: &[PathBuf],
         restarts: Restarts,
         since_save: Duration,
         chosen: bool,
@@ -27,8 +27,9 @@ impl Session {
         }
         let newest = self.edits.record.rows().find(|row| row.shaders.is_some()).map(|row| row.id);
         let wanted = self.edits.record.wanted();
-        let kind = if other { Kind::Shaders } else { Kind::Scene };
-        let edit = self.new_edit(kind, files, since_save, verdict(other, restarts));
+        let kind = if other || files.iter().any(|file| is_shader(file)) { Kind::Shaders } else { Kind::Scene };
+        let verdict = if other { verdict(restarts) } else { untouched(kind) };
+        let edit = self.new_edit(kind, files, since_save, verdict);
         let rows = self.edits.record.rows().len() + self.edits.record.dropped();
         let id = self.edits.record.take(edit, &shaders, other && restarts.film);
         if self.edits.record.running().id != ran {
@@ -54,16 +55,18 @@ impl Session {
     /// Something that was saved can't be used.
     pub(in crate::app::window) fn record_failed(
         &mut self,
-        files: &[std::path::PathBuf],
+        files: &[PathBuf],
         problems: &[Problem],
         since_save: Duration,
     ) {
-        let first = problems.first().map_or_else(String::new, told);
         let all: Vec<String> = problems.iter().map(told).collect();
-        let line = format!("failed: {first}");
-        let verdict = Verdict { state: State::Failed, short: line, line: all.join("\n") };
-        let is_shader = |file: &std::path::PathBuf| file.extension().is_some_and(|ending| ending == "wgsl");
-        let kind = if files.iter().any(is_shader) { Kind::Shaders } else { Kind::Scene };
+        let first = all.first().map_or("", String::as_str);
+        // The name says enough where there is little room; folders before it stand in the long line.
+        let (place, message) = first.split_once(": ").unwrap_or(("", first));
+        let place = place.rsplit(['/', '\\']).next().filter(|place| !place.is_empty());
+        let short = place.map_or(format!("failed: {message}"), |place| format!("failed: {place}: {message}"));
+        let verdict = Verdict { state: State::Failed, short, line: all.join("\n") };
+        let kind = if files.iter().any(|file| is_shader(file)) { Kind::Shaders } else { Kind::Scene };
         let edit = self.new_edit(kind, files, since_save, verdict);
         let shaders = self.engine.library();
         let known = self.edits.record.running().id;
@@ -124,7 +127,7 @@ impl Session {
         }
     }
 
-    fn new_edit(&self, kind: Kind, files: &[std::path::PathBuf], since_save: Duration, verdict: Verdict) -> Edit {
+    fn new_edit(&self, kind: Kind, files: &[PathBuf], since_save: Duration, verdict: Verdict) -> Edit {
         Edit {
             kind,
             scene: self.name().to_owned(),
@@ -138,15 +141,24 @@ impl Session {
 }
 
 /// What is to become of a save that was taken up, before anything is judged.
-fn verdict(shaders: bool, restarts: Restarts) -> Verdict {
-    match (shaders, restarts) {
-        (false, _) => Verdict::new(State::None, "scene: not judged"),
-        (true, Restarts { film: true, .. }) => Verdict::new(State::Waiting, "to be judged"),
-        (true, Restarts { picture: true, .. }) => {
-            Verdict::new(State::Unchanged, "changes how the picture is shown, and nothing that is traced")
-        }
-        (true, _) => Verdict::new(State::Unchanged, "changes nothing of what the scene runs"),
+fn verdict(restarts: Restarts) -> Verdict {
+    match restarts {
+        Restarts { film: true, .. } => Verdict::new(State::Waiting, "to be judged"),
+        Restarts { picture: true, .. } => Verdict::new(State::Unchanged, "changes only how the picture is shown"),
+        _ => Verdict::new(State::Unchanged, "changes nothing of what the scene runs"),
     }
+}
+
+/// The same of a save behind which the same shaders run as before.
+fn untouched(kind: Kind) -> Verdict {
+    match kind {
+        Kind::Shaders => Verdict::new(State::Unchanged, "the files are again what runs"),
+        Kind::Opened | Kind::Scene => Verdict::new(State::None, "scene: not judged"),
+    }
+}
+
+fn is_shader(file: &Path) -> bool {
+    file.extension().is_some_and(|ending| ending == "wgsl")
 }
 
 /// A problem in a line, with its place.

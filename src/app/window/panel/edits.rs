@@ -103,7 +103,12 @@ fn show_row(ui: &mut Ui, shown: &EditsShown, row: &Row, height: f32) -> bool {
     let mut inner = ui.new_child(UiBuilder::new().max_rect(rect.shrink2(Vec2::new(5.0, 3.0))));
     inner.spacing_mut().item_spacing.y = 1.0;
     let mut say = |text: String, colour: Color32| {
-        inner.add(Label::new(RichText::new(text).size(SIZE).color(colour)).truncate().selectable(false));
+        inner.add(
+            Label::new(RichText::new(text).size(SIZE).color(colour))
+                .truncate()
+                .show_tooltip_when_elided(false)
+                .selectable(false),
+        );
     };
     say(heading(row, runs, waits), Color32::from_gray(230));
     let (text, colour) = verdict(row, shown.rests && runs);
@@ -174,7 +179,8 @@ fn explain(ui: &mut Ui, row: &Row, runs: bool, can: bool, inherited: &[String]) 
         ui.label(RichText::new(warning).color(AMBER));
     }
     if runs {
-        ui.label("these shaders run");
+        let judged = if row.traces { "; J judges them" } else { "" };
+        ui.label(format!("these shaders run{judged}"));
     } else if can {
         ui.label("click: run these shaders again; no file is written");
     } else if edit.kind == Kind::Scene {
