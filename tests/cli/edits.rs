@@ -55,7 +55,7 @@ fn edits_are_listed_newest_first() {
     let lines: Vec<&str> = list.lines().collect();
     assert!(lines[0].starts_with("edit") && lines[0].ends_with("verdict") && lines.len() == 4, "{list}");
     assert!(lines[1].starts_with("3 ") && lines[1].ends_with("failed: shaders/lib/rng.wgsl:1:2: no"), "{list}");
-    assert!(lines[2].contains("rng.wgsl 250 ms nothing found agrees within 0.5 %, 1.80x more efficient"), "{list}");
+    assert!(lines[2].contains("rng.wgsl 250 ms nothing found 1 agrees within 0.5 %, 1.80x more efficient"), "{list}");
     assert!(lines[3].contains("as the window opened"), "{list}");
 
     let json: Vec<Value> = serde_json::from_str(&printed(folder.path(), &["edits", "--json"])).unwrap();

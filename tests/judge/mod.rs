@@ -1,6 +1,7 @@
 //! The judge: its statistics simulated, and its verdicts on edited shaders.
 
 mod edits;
+mod short;
 mod simulated;
 mod sizing;
 mod table;

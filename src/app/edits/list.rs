@@ -18,11 +18,11 @@ pub fn all(edits: &[Kept], folder: &Path, as_json: bool) -> String {
         let place = folder.display();
         return format!("no edits in {place}: a window (lucerna view) keeps there what is saved while it is open\n");
     }
-    let heads = ["edit", "saved", "scene", "what", "pixels", "lint", "verdict"].map(str::to_owned);
-    let rows: Vec<[String; 7]> = std::iter::once(heads).chain(edits.iter().rev().map(row)).collect();
-    let widths: [usize; 7] =
+    let heads = ["edit", "saved", "scene", "what", "pixels", "lint", "vs", "verdict"].map(str::to_owned);
+    let rows: Vec<[String; 8]> = std::iter::once(heads).chain(edits.iter().rev().map(row)).collect();
+    let widths: [usize; 8] =
         std::array::from_fn(|column| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default());
-    let line = |row: &[String; 7]| {
+    let line = |row: &[String; 8]| {
         let cells = row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}"));
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
     };
@@ -69,7 +69,7 @@ pub fn one(kept: &Kept, written: Option<&Path>, as_json: bool) -> String {
     text
 }
 
-fn row(kept: &Kept) -> [String; 7] {
+fn row(kept: &Kept) -> [String; 8] {
     let edit = &kept.edit;
     let lint = match &edit.lint {
         Lint::Clean => "nothing found".to_owned(),
@@ -84,6 +84,7 @@ fn row(kept: &Kept) -> [String; 7] {
         edit.what(),
         edit.pixels_told(),
         lint,
+        kept.before.map_or(String::new(), |before| before.to_string()),
         verdict(edit, &edit.verdict.short),
     ]
 }

@@ -111,7 +111,8 @@ fn show_row(ui: &mut Ui, shown: &EditsShown, row: &Row, height: f32) -> bool {
         );
     };
     say(heading(row, runs, waits), Color32::from_gray(230));
-    let (text, colour) = verdict(row, shown.rests && runs);
+    let before = row.before.as_ref().and_then(|(before, _)| shown.record.row(*before)?.number);
+    let (text, colour) = verdict(row, before, shown.rests && runs);
     say(text, colour);
     let inherited = shown.record.inherited(row);
     let lint_colour = match (&row.edit.lint, inherited) {
@@ -123,7 +124,7 @@ fn show_row(ui: &mut Ui, shown: &EditsShown, row: &Row, height: f32) -> bool {
         say(row.edit.lint_told(inherited), lint_colour);
     }
     let clicked = response.clicked();
-    response.on_hover_ui(|ui| explain(ui, row, runs, can, inherited));
+    response.on_hover_ui(|ui| explain(ui, row, before, (runs, can), inherited));
     clicked && can
 }
 
@@ -140,7 +141,8 @@ fn heading(row: &Row, runs: bool, waits: bool) -> String {
     number + &parts.into_iter().flatten().collect::<Vec<_>>().join(", ") + mark
 }
 
-fn verdict(row: &Row, rests: bool) -> (String, Color32) {
+/// What judging found, and by which row, by the number of that.
+fn verdict(row: &Row, before: Option<u32>, rests: bool) -> (String, Color32) {
     let verdict = &row.edit.verdict;
     let colour = match verdict.state {
         State::Agree => GREEN,
@@ -153,11 +155,16 @@ fn verdict(row: &Row, rests: bool) -> (String, Color32) {
         (State::Judging, true) => verdict.short.replacen("judging", "judging rests", 1),
         _ => verdict.short.clone(),
     };
+    let judged = matches!(verdict.state, State::Agree | State::Differ | State::CannotTell);
+    let text = match before.filter(|_| judged) {
+        Some(before) => format!("vs {before}: {text}"),
+        None => text,
+    };
     (text, colour)
 }
 
 /// All that a row has no room for.
-fn explain(ui: &mut Ui, row: &Row, runs: bool, can: bool, inherited: &[String]) {
+fn explain(ui: &mut Ui, row: &Row, before: Option<u32>, (runs, can): (bool, bool), inherited: &[String]) {
     ui.set_max_width(420.0);
     let edit = &row.edit;
     for file in &edit.files {
@@ -166,10 +173,10 @@ fn explain(ui: &mut Ui, row: &Row, runs: bool, can: bool, inherited: &[String]) 
     if !edit.verdict.line.is_empty() {
         ui.label(&edit.verdict.line);
     }
-    if let Some((before, _)) = row.before.as_ref().filter(|_| row.traces) {
-        let before =
-            if *before == 0 { "what the window opened with".to_owned() } else { "the edit that ran before".to_owned() };
-        ui.label(format!("judged by {before}"));
+    if row.traces {
+        let by = before
+            .map_or("the shaders that ran before".to_owned(), |before| format!("edit {before}, which ran before"));
+        ui.label(format!("judged by {by}"));
     }
     let own = match &edit.lint {
         Lint::Warned(warnings) => warnings,
