@@ -12,6 +12,8 @@ mod files;
 mod fine;
 mod flight;
 mod inspect;
+#[cfg(target_os = "linux")]
+mod judged;
 mod keys;
 mod legend;
 #[cfg(target_os = "linux")]
@@ -27,8 +29,10 @@ mod panel;
 mod parameters;
 #[cfg(target_os = "linux")]
 mod person;
+mod record;
 #[cfg(target_os = "linux")]
 mod room;
+mod rows;
 #[cfg(target_os = "linux")]
 mod save;
 mod selection;

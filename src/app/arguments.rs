@@ -6,6 +6,7 @@ use super::animate::AnimateArguments;
 use super::bench::BenchArguments;
 use super::check::CheckArguments;
 use super::compare::CompareArguments;
+use super::edits::EditsArguments;
 use super::help::HelpArguments;
 use super::judge::JudgeArguments;
 use super::new::NewArguments;
@@ -57,4 +58,6 @@ pub enum Command {
     Bench(Box<BenchArguments>),
     /// Tell whether an edit of the shaders made the estimator better, worse or wrong
     Judge(Box<JudgeArguments>),
+    /// List what was saved while windows were open, or write the shaders of an edit to a folder
+    Edits(EditsArguments),
 }

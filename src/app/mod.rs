@@ -8,6 +8,7 @@ pub mod bench;
 mod check;
 mod compare;
 mod doctor;
+pub mod edits;
 pub mod help;
 pub mod judge;
 mod new;
@@ -61,6 +62,7 @@ pub fn main() -> ExitCode {
         Command::Doctor => doctor::run(),
         Command::Bench(bench) => bench.run(),
         Command::Judge(judge) => judge::run(&judge),
+        Command::Edits(edits) => edits::run(&edits),
     };
     match result {
         Ok(exit) => ExitCode::from(exit),

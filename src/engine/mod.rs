@@ -331,6 +331,19 @@ impl Engine {
         self.world.resource::<Device>().0.library().clone()
     }
 
+    /// Whether something that was saved is being compiled.
+    pub fn is_compiling_saves(&self) -> bool {
+        self.world.get_resource::<Reload>().is_some_and(Reload::compiles)
+    }
+
+    /// Has shaders that ran before compiled and run again, as if they were saved, while the files stay as they are: the next save goes on from
+    /// those. Nothing without a watch.
+    pub fn run_again(&self, library: Library) {
+        if let Some(reload) = self.world.get_resource::<Reload>() {
+            reload.run_again(library, &self.library());
+        }
+    }
+
     /// Has everything that is watched read again, changed or not.
     pub fn reload(&self) {
         if let Some(reload) = self.world.get_resource::<Reload>() {

@@ -3,7 +3,7 @@
 //! A link stays a link: what it leads to is written.
 
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// Links that are followed from one to the next; systems follow 40.
@@ -58,6 +58,21 @@ pub fn write(path: &Path, content: impl FnOnce(&mut BufWriter<&File>) -> std::io
     write_whole(&place, content).map_err(|source| failed(path, source))
 }
 
+/// Writes a file by `content` where there is none of that name, and makes the folders it lacks. False where there is one.
+pub fn write_new(
+    path: &Path,
+    content: impl FnOnce(&mut BufWriter<&File>) -> std::io::Result<()>,
+) -> Result<bool, SaveError> {
+    let folder = folder(path);
+    std::fs::create_dir_all(folder).map_err(|source| SaveError::Folder { folder: folder.to_path_buf(), source })?;
+    let file = written(path, content).map_err(|source| failed(path, source))?;
+    match file.persist_noclobber(path) {
+        Ok(_) => Ok(true),
+        Err(refused) if refused.error.kind() == ErrorKind::AlreadyExists => Ok(false),
+        Err(refused) => Err(failed(path, refused.error)),
+    }
+}
+
 /// Writes a file of text.
 pub fn write_text(path: &Path, text: &str) -> Result<(), SaveError> {
     write(path, |out| out.write_all(text.as_bytes()))
@@ -67,6 +82,15 @@ fn write_whole(
     place: &Path,
     content: impl FnOnce(&mut BufWriter<&File>) -> std::io::Result<()>,
 ) -> std::io::Result<()> {
+    written(place, content)?.persist(place).map_err(|failed| failed.error)?;
+    Ok(())
+}
+
+/// The whole file under another name.
+fn written(
+    place: &Path,
+    content: impl FnOnce(&mut BufWriter<&File>) -> std::io::Result<()>,
+) -> std::io::Result<tempfile::NamedTempFile> {
     let file = temporary(place)?;
     let mut out = BufWriter::new(file.as_file());
     content(&mut out)?;
@@ -77,8 +101,7 @@ fn write_whole(
         file.as_file().set_permissions(metadata.permissions())?;
     }
     file.as_file().sync_data()?;
-    file.persist(place).map_err(|failed| failed.error)?;
-    Ok(())
+    Ok(file)
 }
 
 /// What a path leads to, in a folder that is there: a file, or a name that is free.

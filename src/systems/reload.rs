@@ -1,6 +1,6 @@
 //! Puts in place what the worker made, tells what that restarts, and brings back what was there if it fails.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -16,7 +16,7 @@ use crate::components::{Film, Name, ShaderValues};
 use crate::gpu::{Code, Compiler, GpuError, GpuTable};
 use crate::layout::trace::MaterialRecord;
 use crate::scene::{self, Diagnostic, Loaded, SceneDescription, SceneText, Severity};
-use crate::shader::ErrorKind;
+use crate::shader::{ErrorKind, Library};
 use crate::watch::{Linter, News, Outcome, Problem, ReloadEvent, Restarts, Sources, Wake, Watch, WatchError, values};
 
 /// What is watched, what of it runs, and what is on trial.
@@ -111,6 +111,19 @@ impl Reload {
         self.watch.waits()
     }
 
+    /// Whether something that was saved is being compiled.
+    pub fn compiles(&self) -> bool {
+        self.watch.compiles()
+    }
+
+    /// Has shaders that ran before run again, whatever the files hold; `current` are those that run.
+    pub fn run_again(&self, library: Library, current: &Library) {
+        let modules: BTreeSet<&str> = library.modules().chain(current.modules()).collect();
+        let other = modules.into_iter().filter(|module| library.hash(module) != current.hash(module));
+        let edited = other.map(str::to_owned).collect();
+        self.watch.run_again(library, edited);
+    }
+
     /// Has everything read again, changed or not.
     pub fn force(&self) {
         self.watch.force();
@@ -154,7 +167,7 @@ fn take_up_saves(world: &mut World) {
 }
 
 fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
-    let Outcome { saved, mut code, mut scene, warnings: slow, tied } = refuse_unfit(world, outcome);
+    let Outcome { saved, mut code, mut scene, warnings: slow, tied, again } = refuse_unfit(world, outcome);
     if reload.undone && !tied && (matches!(code, Some((_, Ok(_)))) || matches!(scene, Some((_, Ok(_))))) {
         // It was read before the worker knew.
         code = code.filter(|(_, code)| code.is_err());
@@ -169,7 +182,10 @@ fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
     match code {
         Some((files, Ok(code))) => {
             (any_good, good, warnings) = (true, files, slow);
-            reload.problems.code.clear();
+            // What the files hold may be as wrong as before.
+            if !again {
+                reload.problems.code.clear();
+            }
             let unfit = put_code_and_tell_unfit(world, reload, code);
             warnings.extend(unfit.into_iter().filter(|_| scene.is_none()));
             // A scene that had to give way may do so no longer.
@@ -180,7 +196,9 @@ fn take_up(world: &mut World, reload: &mut Reload, outcome: Outcome) {
         Some((files, Err(found))) => {
             bad = files;
             problems.extend(found.iter().cloned());
-            reload.problems.code = found;
+            if !again {
+                reload.problems.code = found;
+            }
         }
         None => {}
     }

@@ -7,7 +7,7 @@ use std::sync::mpsc::Sender;
 use std::time::{Duration, Instant};
 
 use super::event::Problem;
-use super::message::{Message, News, Outcome, Side};
+use super::message::{Message, News, Outcome, Saved, Side};
 use crate::gpu::{Code, Compiler};
 use crate::scene::Loaded;
 use crate::shader::{Library, ShaderError};
@@ -21,12 +21,6 @@ const LATE: Duration = Duration::from_secs(2);
 /// And again after each of these.
 const AGAIN: Duration = Duration::from_secs(5);
 
-/// Shaders as they were read, and the names of the modules that are other ones.
-pub struct Saved {
-    pub library: Library,
-    pub edited: BTreeSet<String>,
-}
-
 /// What is being compiled.
 struct Pending {
     saved: Instant,
@@ -37,6 +31,8 @@ struct Pending {
     scene: Option<Side<Box<Loaded>>>,
     /// That scene is to be drawn with this code alone.
     tied: bool,
+    /// The code is not what the files hold.
+    again: bool,
     warnings: Vec<Problem>,
     /// When it is told next that it takes long.
     tell: Instant,
@@ -69,7 +65,7 @@ impl Compiles {
         scene: Option<Side<Box<Loaded>>>,
         tied: bool,
     ) {
-        let Saved { library, mut edited } = code;
+        let Saved { library, mut edited, again } = code;
         let now = Instant::now();
         let mut pending = Pending {
             saved,
@@ -78,6 +74,7 @@ impl Compiles {
             edited: BTreeSet::new(),
             scene,
             tied,
+            again,
             warnings: Vec::new(),
             tell: now + LATE,
             waits: None,
@@ -91,6 +88,11 @@ impl Compiles {
         pending.waits = Some(library);
         self.pending = Some(pending);
         self.start();
+    }
+
+    /// Whether something is being compiled that is wanted.
+    pub fn is_pending(&self) -> bool {
+        self.pending.is_some()
     }
 
     /// Drops what is being compiled, and returns it.
@@ -142,10 +144,10 @@ impl Compiles {
             self.start();
             return None;
         }
-        let Pending { saved, files, scene, tied, warnings, .. } = self.pending.take()?;
+        let Pending { saved, files, scene, tied, again, warnings, .. } = self.pending.take()?;
         // A scene whose code is wrong waits until that is mended.
         let scene = scene.filter(|_| !tied || result.is_ok());
-        Some(Outcome { saved, code: Some((files, result)), scene, warnings, tied })
+        Some(Outcome { saved, code: Some((files, result)), scene, warnings, tied, again })
     }
 
     /// Keeps a warning of the newest save, once: several passes hold the same code.

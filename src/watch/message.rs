@@ -1,11 +1,13 @@
 //! What the threads of a watch say to each other.
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use super::event::Problem;
 use crate::gpu::Code;
 use crate::scene::Loaded;
+use crate::shader::Library;
 
 /// What the worker is told.
 pub enum Message {
@@ -15,6 +17,8 @@ pub enum Message {
     Force,
     /// The scene is to be read again, at once: another one is wanted.
     Choose,
+    /// Shaders that ran before are to run again, whatever the files hold.
+    Again(Saved),
     /// The last that was taken up together, shaders and scene, is not what runs.
     Undone,
     /// A compile has ended: its number, and what it made.
@@ -28,6 +32,14 @@ pub enum Message {
         warning: Problem,
     },
     Stop,
+}
+
+/// Shaders to be compiled, and the names of the modules that are other ones.
+pub struct Saved {
+    pub library: Library,
+    pub edited: BTreeSet<String>,
+    /// They ran before, and are not what the files hold.
+    pub again: bool,
 }
 
 /// What a look at some files gives.
@@ -73,6 +85,8 @@ pub struct Outcome {
     pub warnings: Vec<Problem>,
     /// Code and scene are of each other: neither is to run without the other.
     pub tied: bool,
+    /// The code ran before, and is not what the files hold.
+    pub again: bool,
 }
 
 /// The files that changed of shaders, or of the scene, and what they give.

@@ -15,6 +15,7 @@ pub mod values;
 mod watcher;
 mod worker;
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -32,7 +33,7 @@ use crate::scene::{SceneDescription, SceneText};
 use crate::shader::{Layers, Library};
 use assets::SceneFiles;
 use compile::Compiles;
-use message::Message;
+use message::{Message, Saved};
 use shaders::ShaderFolders;
 use watcher::Folders;
 use worker::Worker;
@@ -61,6 +62,8 @@ pub struct Watch {
     worker: Option<JoinHandle<()>>,
     /// There is news.
     waits: Arc<AtomicBool>,
+    /// Something is being compiled.
+    compiles: Arc<AtomicBool>,
 }
 
 impl Watch {
@@ -70,7 +73,7 @@ impl Watch {
         let (news_sender, news) = channel();
         let folders = Folders::new(sender.clone())?;
         let compiles = Compiles::new(compiler, sender.clone());
-        let waits = Arc::new(AtomicBool::new(false));
+        let (waits, busy) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicBool::new(false)));
         let worker = Worker {
             folders,
             shaders: sources.shaders.map(|(layers, library)| (ShaderFolders::new(layers, &library), compiles)),
@@ -79,10 +82,11 @@ impl Watch {
             news: news_sender,
             wake: Box::new(move || wake()),
             waits: waits.clone(),
+            compiles: busy.clone(),
             apart: false,
         };
         let worker = std::thread::spawn(move || worker.run());
-        Ok(Watch { sender, news: Mutex::new(news), worker: Some(worker), waits })
+        Ok(Watch { sender, news: Mutex::new(news), worker: Some(worker), waits, compiles: busy })
     }
 
     /// Whether there is news.
@@ -105,6 +109,16 @@ impl Watch {
     /// Has the scene read again, at once: another one is wanted.
     pub fn choose(&self) {
         let _ = self.sender.send(Message::Choose);
+    }
+
+    /// Whether something is being compiled.
+    pub fn compiles(&self) -> bool {
+        self.compiles.load(Ordering::Acquire)
+    }
+
+    /// Has shaders that ran before run again, whatever the files hold. `edited` are the modules that they have otherwise than those which run.
+    pub fn run_again(&self, library: Library, edited: BTreeSet<String>) {
+        let _ = self.sender.send(Message::Again(Saved { library, edited, again: true }));
     }
 
     /// Says that what was taken up together last, shaders and scene, was taken back.

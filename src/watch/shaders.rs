@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::compile::Saved;
-use super::message::Look;
+use super::message::{Look, Saved};
 use super::watcher::Place;
 use crate::files::{self, trail};
 use crate::shader::{Layers, Library};
@@ -68,7 +67,7 @@ impl ShaderFolders {
         let files = changed.iter().filter(|_| !chosen).map(|name| self.layers.file(name)).collect();
         let edited = changed.into_iter().cloned().collect();
         self.seen = now;
-        Look::Changed { files, result: Ok(Saved { library, edited }) }
+        Look::Changed { files, result: Ok(Saved { library, edited, again: false }) }
     }
 }
 

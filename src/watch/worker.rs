@@ -6,9 +6,9 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
 use super::assets::SceneFiles;
-use super::compile::{Compiles, Saved};
+use super::compile::Compiles;
 use super::event::Problem;
-use super::message::{Look, Message, News, Outcome, Side};
+use super::message::{Look, Message, News, Outcome, Saved, Side};
 use super::shaders::ShaderFolders;
 use super::watcher::{Folders, Place, Watched};
 use crate::gpu::Code;
@@ -37,6 +37,8 @@ pub struct Worker {
     pub wake: Box<dyn Fn() + Send>,
     /// Set while news waits to be taken up.
     pub waits: Arc<AtomicBool>,
+    /// Set while something is being compiled.
+    pub compiles: Arc<AtomicBool>,
     /// Shaders and scene as they were last read are of each other, and not what runs: whatever is saved next, both are read, and taken
     /// up both or neither.
     pub apart: bool,
@@ -60,6 +62,10 @@ impl Worker {
                 Message::Touched(saved) => (saved, Force::default()),
                 Message::Force => (Instant::now(), Force { code: true, scene: true }),
                 Message::Choose => (Instant::now(), Force { code: false, scene: true }),
+                Message::Again(saved) => {
+                    self.run_again(saved);
+                    continue;
+                }
                 Message::Undone => {
                     self.apart = true;
                     continue;
@@ -114,10 +120,27 @@ impl Worker {
     /// Takes what a compile has made. False if nobody takes it.
     fn end_compile(&mut self, serial: u64, result: Result<Code, Vec<Problem>>) -> bool {
         let ended = self.shaders.as_mut().and_then(|(_, compiles)| compiles.end(serial, result));
+        self.tell_compiling();
         ended.is_none_or(|outcome| {
             self.apart &= !outcome.tied || matches!(outcome.code, Some((_, Err(_))));
             self.send(News::Ready(Box::new(outcome)))
         })
+    }
+
+    /// Compiles shaders that ran before. What a later look finds in the files is other code than at the look before, as ever.
+    fn run_again(&mut self, saved: Saved) {
+        if let Some((_, compiles)) = &mut self.shaders {
+            compiles.begin(Instant::now(), Vec::new(), saved, None, false);
+        }
+        self.tell_compiling();
+    }
+
+    /// Says whether something is being compiled; wakes the driver when that begins, for the processor is wanted then.
+    fn tell_compiling(&self) {
+        let pending = self.shaders.as_ref().is_some_and(|(_, compiles)| compiles.is_pending());
+        if !self.compiles.swap(pending, Ordering::AcqRel) && pending {
+            (self.wake)();
+        }
     }
 
     fn warn(&mut self, serial: u64, warning: Problem) {
@@ -144,6 +167,7 @@ impl Worker {
                 Ok(Message::Touched(_)) => {}
                 Ok(Message::Force) => force = Force { code: true, scene: true },
                 Ok(Message::Choose) => force.scene = true,
+                Ok(Message::Again(saved)) => self.run_again(saved),
                 Ok(Message::Undone) => self.apart = true,
                 Ok(Message::Compiled { serial, result }) => {
                     if !self.end_compile(serial, result) {
@@ -176,7 +200,9 @@ impl Worker {
         if self.apart && matches!((&code, &scene), (Look::Changed { .. }, Look::Same)) {
             scene = self.scene.as_mut().map_or(Look::Same, |scene| scene.look(false, true));
         }
-        match self.outcome(saved, code.changed(), scene.changed()) {
+        let outcome = self.outcome(saved, code.changed(), scene.changed());
+        self.tell_compiling();
+        match outcome {
             Some(outcome) => self.send(News::Ready(Box::new(outcome))),
             None => true,
         }
@@ -192,7 +218,14 @@ impl Worker {
         let tied = self.apart;
         let (warnings, none) = (Vec::new(), code.is_none() && scene.is_none());
         let Some((_, compiles)) = self.shaders.as_mut().filter(|_| !none) else {
-            return scene.map(|scene| Outcome { saved, code: None, scene: Some(scene), warnings, tied: false });
+            return scene.map(|scene| Outcome {
+                saved,
+                code: None,
+                scene: Some(scene),
+                warnings,
+                tied: false,
+                again: false,
+            });
         };
         // Shaders of a scene that can't be read are of no use.
         let code = code.filter(|_| !tied || matches!(scene, None | Some((_, Ok(_)))));
@@ -204,16 +237,16 @@ impl Worker {
             Some((files, Err(problems))) => {
                 let (files, scene) = compiles.refuse(files, scene);
                 let scene = scene.filter(|_| !tied);
-                Some(Outcome { saved, code: Some((files, Err(problems))), scene, warnings, tied })
+                Some(Outcome { saved, code: Some((files, Err(problems))), scene, warnings, tied, again: false })
             }
             None if tied => {
                 let scene = scene.map(|(files, scene)| compiles.refuse(files, Some((Vec::new(), scene))));
                 let scene = scene.and_then(|(files, scene)| Some((files, scene?.1)));
-                Some(Outcome { saved, code: None, scene, warnings, tied: false })
+                Some(Outcome { saved, code: None, scene, warnings, tied: false, again: false })
             }
             None => {
                 let scene = scene.map(|scene| compiles.with_older_scene(scene));
-                Some(Outcome { saved, code: None, scene, warnings, tied: false })
+                Some(Outcome { saved, code: None, scene, warnings, tied: false, again: false })
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The command line, by running it: exit codes, one message a mistake, and files that are whole.
 
+mod edits;
 mod help;
 mod new;
 #[cfg(unix)]

@@ -2,6 +2,7 @@
 
 mod commits;
 mod edits;
+mod short;
 mod simulated;
 mod sizing;
 mod table;

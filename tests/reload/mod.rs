@@ -1,5 +1,6 @@
 //! What is saved while the engine runs: taken up whole, or not at all, and only what depends on it starts anew.
 
+mod again;
 mod family;
 mod guide;
 #[cfg(unix)]

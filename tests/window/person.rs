@@ -26,6 +26,30 @@ pub const TICKS: Duration = Duration::from_millis(20);
 /// Samples a pixel: the window has to be finished to be compared.
 const SPP: &str = "6";
 
+/// A floor and a wall, and light from everywhere.
+const OBJ: &str = "\
+mtllib room.mtl
+v -2 0 -2
+v 2 0 -2
+v 2 0 2
+v -2 0 2
+v -2 2 -2
+v 2 2 -2
+usemtl grey
+f 1 4 3 2
+f 1 2 6 5
+";
+const MTL: &str = "newmtl grey\nKd 0.6 0.6 0.6\n";
+const SCENE: &str = "\
+(
+    models: [(path: \"room.obj\")],
+    cameras: { \"front\": (position: (0, 1, 5), look_at: (0, 0.7, 0), up: (0, 1, 0), fov_y: 40) },
+    film: (size: (24, 16)),
+    render: (integrator: Bsdf, sampler: Pcg, roulette: false, max_depth: 3),
+    environment: Constant((1, 1, 1)),
+)
+";
+
 /// The binary with its window, and where it was started.
 pub struct Person {
     pub display: Xvfb,
@@ -75,15 +99,27 @@ impl Person {
 
     /// Opens the Cornell box of so many points on a display of two pixels a point.
     pub fn on_a_fine_display(size: &str) -> Self {
-        Self::open_at("2", tempfile::tempdir().unwrap(), "cornell-box", &["--size", size, "--spp", SPP])
+        let flags = ["--size", size, "--spp", SPP, "--no-judge"];
+        Self::start("2", tempfile::tempdir().unwrap(), "cornell-box", &flags)
     }
 
+    /// Opens files that can be edited, whose edits are judged while nobody touches the window: a scene of next to no noise, of which
+    /// few films tell all.
+    pub fn judging(size: &str) -> Self {
+        let folder = Self::files();
+        for (name, text) in [("room.obj", OBJ), ("room.mtl", MTL), ("scene.ron", SCENE)] {
+            std::fs::write(folder.path().join(name), text).unwrap();
+        }
+        Self::start("1", folder, "scene.ron", &["--no-panel", "--size", size])
+    }
+
+    /// Edits are not judged by themselves, which would take the processor.
     fn open(folder: TempDir, scene: &str, flags: &[&str]) -> Self {
-        Self::open_at("1", folder, scene, flags)
+        Self::start("1", folder, scene, &[flags, &["--no-judge"]].concat())
     }
 
     /// `scale` is pixels a point.
-    fn open_at(scale: &str, folder: TempDir, scene: &str, flags: &[&str]) -> Self {
+    fn start(scale: &str, folder: TempDir, scene: &str, flags: &[&str]) -> Self {
         let display = Xvfb::start();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
         command.args(["view", scene]).args(flags).current_dir(folder.path());

@@ -8,20 +8,31 @@ use egui::epaint::ClippedShape;
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape, Vec2};
 use glam::UVec2;
 use lucerna::Engine;
+use lucerna::app::edits::{Edit, Kind, Lint, State, Verdict};
+use lucerna::app::window::edits::record::Record;
 use lucerna::app::window::panel::Panel;
 use lucerna::app::window::panel::curve::{Decades, power};
+use lucerna::app::window::panel::edits::EditsShown;
 use lucerna::layout::view::ViewMode;
 use lucerna::shader::Library;
 
 use super::maps::description;
 use crate::support;
 
-const SECTIONS: [&str; 8] = ["Progress", "Pixel", "View", "Camera", "Settings", "Lights", "Materials", "Passes"];
+const SECTIONS: [&str; 9] =
+    ["Edits", "Progress", "Pixel", "View", "Camera", "Settings", "Lights", "Materials", "Passes"];
+
+/// Something that was saved.
+fn saved(kind: Kind) -> Edit {
+    let (scene, verdict) = ("box".to_owned(), Verdict::new(State::None, ""));
+    Edit { kind, scene, files: Vec::new(), saved: 0, pixels: None, lint: Lint::NotLinted, verdict }
+}
 
 /// A panel in a window that is high enough for all of it.
 struct Drawn {
     context: Context,
     panel: Panel,
+    record: Record,
     engine: Engine,
     began: Instant,
     /// Of readings: later than any that was.
@@ -38,7 +49,9 @@ impl Drawn {
         let context = Context::default();
         context.all_styles_mut(|style| style.animation_time = 0.0);
         let now = Instant::now();
-        Self { context, panel: Panel::new(true, features, true, PathBuf::new()), engine, began: now, now }
+        let panel = Panel::new(true, features, true, PathBuf::new());
+        let record = Record::new(saved(Kind::Opened), Library::shipped());
+        Self { context, panel, record, engine, began: now, now }
     }
 
     fn draw(&mut self, events: Vec<Event>) -> Vec<ClippedShape> {
@@ -48,7 +61,9 @@ impl Drawn {
         for events in [events, Vec::new(), Vec::new()] {
             let input = RawInput { screen_rect, events, ..RawInput::default() };
             let (panel, engine) = (&mut self.panel, &mut self.engine);
-            shapes = self.context.run_ui(input, |ui| _ = panel.show(ui, engine, (&camera, 1.0), None, None)).shapes;
+            let saved = EditsShown { record: &self.record, automatic: true, rests: false };
+            let show = |ui: &mut egui::Ui| _ = panel.show(ui, engine, (&camera, 1.0), None, (None, &saved));
+            shapes = self.context.run_ui(input, show).shapes;
         }
         shapes
     }
@@ -111,6 +126,10 @@ fn no_section_moves_when_numbers_come() {
         drawn.engine.set_view(view);
         drawn.read(Some(UVec2::new(3, 3)));
         assert_eq!(drawn.places(), before, "in view {name}");
+    }
+    for _ in 0..12 {
+        drawn.record.take(saved(Kind::Shaders), &Library::shipped(), false);
+        assert_eq!(drawn.places(), before, "with {} rows of edits", drawn.record.rows().len());
     }
 }
 

@@ -154,10 +154,14 @@ impl Analysis {
 
     /// How well the means are known to agree: two standard errors of the whole picture, and what would have been found.
     fn agreement(&self) -> String {
+        format!("means agree, the whole picture's within {}; {}", part(self.agrees_within()), self.power())
+    }
+
+    /// What the whole picture's means differ by at most: by what was found and two standard errors, relative.
+    pub(super) fn agrees_within(&self) -> f64 {
         let whole = &self.means.whole;
         let error = whole.standard_error.unwrap_or(0.0);
-        let most = (whole.difference.abs() + 2.0 * error) / whole.old.max(f64::MIN_POSITIVE);
-        format!("means agree, the whole picture's within {}; {}", part(most), self.power())
+        (whole.difference.abs() + 2.0 * error) / whole.old.max(f64::MIN_POSITIVE)
     }
 
     fn difference(&self) -> String {
@@ -197,7 +201,7 @@ fn efficiency(ratio: Option<Ratio>) -> String {
 }
 
 /// A factor, with the digits that count.
-fn times(value: f64) -> String {
+pub(super) fn times(value: f64) -> String {
     match value {
         v if v >= 99.95 => format!("{v:.0}"),
         v if v >= 9.995 => format!("{v:.1}"),
@@ -206,7 +210,7 @@ fn times(value: f64) -> String {
 }
 
 /// A part of something, without a sign, by two digits at least.
-fn part(relative: f64) -> String {
+pub(super) fn part(relative: f64) -> String {
     match 100.0 * relative {
         v if v >= 9.95 => format!("{v:.0} %"),
         v if v >= 0.995 => format!("{v:.1} %"),

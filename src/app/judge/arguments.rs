@@ -8,6 +8,7 @@ use glam::UVec2;
 
 use super::commits::Commits;
 use super::core::{Plan, WITHIN};
+use crate::app::shared::tracer::STEP;
 use crate::app::shared::values::{MORE, define, output, seconds, size};
 use crate::image::Output;
 use crate::scene::Define;
@@ -82,6 +83,7 @@ impl JudgeArguments {
             alpha: self.alpha,
             within: self.within.map_or(WITHIN, |percent| 0.01 * percent),
             seed: self.seed,
+            batch: STEP,
         }
     }
 }

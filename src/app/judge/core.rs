@@ -2,13 +2,12 @@
 //! compared. Knows no command line, so that a window can run it between frames.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use glam::UVec2;
 
 use super::analysis::{Analysis, End, Verdict};
-use super::clock::Clock;
+use super::clock::{Clock, Control};
 use super::error::JudgeError;
 use super::series::{Round, Series};
 use super::side::{Shot, Side};
@@ -53,6 +52,8 @@ pub struct Plan {
     pub within: f64,
     /// Other seeds give other films.
     pub seed: u32,
+    /// Tracing between two looks at whether it is to stop or rest.
+    pub batch: Duration,
 }
 
 /// What the next films are for.
@@ -91,24 +92,25 @@ pub struct Judge {
 
 impl Judge {
     /// Opens the scene twice, by the old and by the new shaders, and compares their code. The old ones are compiled for that:
-    /// which code a scene runs is known once it is packed. `stop` makes all that follows give up, with [`JudgeError::Stopped`].
+    /// which code a scene runs is known once it is packed. `control` makes all that follows give up, with [`JudgeError::Stopped`], or rest.
     pub fn open(
         gpu: &Arc<Gpu>,
         [old, new]: [&Library; 2],
         description: &SceneDescription,
         plan: Plan,
-        stop: Arc<AtomicBool>,
+        control: impl Into<Control>,
     ) -> Result<Self, JudgeError> {
+        let control = control.into();
         // Both with limited loops, as edited code has them: else code of this binary would seem the faster for it.
-        let side = |library: &Library| Side::open(gpu, &library.clone().with_limited_loops(), description);
+        let side = |library: &Library| Side::open(gpu, &library.clone().with_limited_loops(), description, plan.batch);
         let mut sides = [side(old)?, side(new)?];
         let films = halved(description.film);
         // What is compiled first is to be compiled whatever the time is.
-        let untimed = Clock::new(plan.begin, None, stop.clone());
+        let untimed = Clock::new(plan.begin, None, control.clone());
         sides[0].film(films[0], plan.seed, 1, &untimed)?;
         let changed = is_changed(old, new, &sides[0].features())?;
         let seconds = plan.seconds.or(plan.films.is_none().then_some(SECONDS));
-        let clock = Clock::new(plan.begin, seconds, stop);
+        let clock = Clock::new(plan.begin, seconds, control);
         let black = vec![[0.0; 3]; pixels(&films[0]) as usize];
         let series = Series::new(films[0], 1, &[black.clone(), black], plan.alpha);
         let (level, purpose, next_analysis, begun) = (0, Purpose::WarmUp, FIRST_ANALYSIS, 1);
@@ -148,10 +150,10 @@ impl Judge {
         if self.purpose == Purpose::Scout && self.series.tells() {
             self.settle();
         }
-        let begin = Instant::now();
+        let begin = self.clock.elapsed();
         let Some(round) = self.round()? else { return Ok(Some(self.analyse())) };
         self.series.add(&round);
-        self.series.seconds += begin.elapsed().as_secs_f64();
+        self.series.seconds += self.clock.elapsed() - begin;
         let due = match self.purpose {
             Purpose::Grow => {
                 self.settle();
@@ -216,10 +218,10 @@ impl Judge {
         let (Some(_), Some(old)) = (self.shoot(1, film, 1)?, self.shoot(0, film, 1)?) else {
             return Ok(Some(self.analyse()));
         };
-        let begin = Instant::now();
+        let begin = self.clock.elapsed();
         let Some(new) = self.shoot(1, film, 1)? else { return Ok(Some(self.analyse())) };
         self.sides.iter_mut().for_each(|side| side.bad_samples = 0);
-        let cost = begin.elapsed().as_secs_f64() / pixels(&film) as f64;
+        let cost = (self.clock.elapsed() - begin) / pixels(&film) as f64;
         let pilot = [old.radiance, new.radiance];
         self.series = Series::new(film, 1, &pilot, self.plan.alpha);
         self.purpose = Purpose::Scout;

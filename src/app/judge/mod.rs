@@ -8,17 +8,21 @@ mod commits;
 mod core;
 mod error;
 mod mark;
+mod pause;
 mod report;
 mod series;
+mod short;
 mod side;
 pub mod sizing;
 
 pub use self::core::{Judge, Plan, SECONDS, WITHIN};
 pub use analysis::{Analysis, End, Unknown, Verdict};
 pub use arguments::JudgeArguments;
+pub use clock::Control;
 pub use commits::Commits;
 pub use error::JudgeError;
 pub use mark::marked;
+pub use pause::Pause;
 pub use series::Estimator;
 
 use std::path::{Path, PathBuf};

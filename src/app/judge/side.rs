@@ -1,6 +1,7 @@
 //! One estimator: an engine of its own, that traces a film whenever one is wanted.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use super::clock::Clock;
 use super::error::JudgeError;
@@ -13,6 +14,8 @@ use crate::shader::{Features, Library};
 
 pub struct Side {
     tracer: Tracer,
+    /// Tracing between two looks at the clock.
+    batch: Duration,
     /// Samples that were no numbers, over all films.
     pub bad_samples: u64,
 }
@@ -26,8 +29,13 @@ pub struct Shot {
 
 impl Side {
     /// Opens a scene. Nothing is compiled yet.
-    pub fn open(gpu: &Arc<Gpu>, library: &Library, description: &SceneDescription) -> Result<Self, EngineError> {
-        Ok(Self { tracer: Tracer::open(gpu, library, description)?, bad_samples: 0 })
+    pub fn open(
+        gpu: &Arc<Gpu>,
+        library: &Library,
+        description: &SceneDescription,
+        batch: Duration,
+    ) -> Result<Self, EngineError> {
+        Ok(Self { tracer: Tracer::open(gpu, library, description)?, batch, bad_samples: 0 })
     }
 
     /// Traces a film from its first sample to its last; `None` if the time is over before that.
@@ -40,7 +48,7 @@ impl Side {
             if clock.is_over()? {
                 return Ok(None);
             }
-            if self.tracer.step()?.finished {
+            if self.tracer.step_for(self.batch)?.finished {
                 break;
             }
         }

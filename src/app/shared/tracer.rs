@@ -13,7 +13,7 @@ use crate::scene::SceneDescription;
 use crate::shader::{Features, Library};
 
 /// Tracing between two polls of signals: as long as that of a headless render.
-const STEP: Duration = Duration::from_millis(100);
+pub const STEP: Duration = Duration::from_millis(100);
 
 /// Shows how far all is, and listens for signals.
 pub struct Monitor {
@@ -60,7 +60,12 @@ impl Tracer {
 
     /// Traces for about a tenth of a second.
     pub fn step(&mut self) -> Result<Progress, EngineError> {
-        self.engine.step(STEP)
+        self.step_for(STEP)
+    }
+
+    /// Traces for about some time.
+    pub fn step_for(&mut self, time: Duration) -> Result<Progress, EngineError> {
+        self.engine.step(time)
     }
 
     /// Traces until the film is finished. False if a signal came before that.

@@ -121,8 +121,11 @@ impl ApplicationHandler for Application {
         });
     }
 
-    /// Nothing is left to be saved: compilers, judges and drivers, which may take seconds to come to an end, are not waited for.
+    /// Nothing is left to be saved but the last edit: compilers, judges and drivers, which may take seconds to come to an end, are not waited for.
     fn exiting(&mut self, _: &ActiveEventLoop) {
+        if let Some(session) = &self.session {
+            session.finish();
+        }
         if self.failure.is_none() {
             end(Exit::Done);
         }

@@ -20,10 +20,13 @@ pub struct ViewArguments {
     pub no_panel: bool,
     #[command(flatten)]
     pub flags: SceneFlags,
+    /// Don't judge edits of shaders by themselves while the window is left alone: J judges
+    #[arg(long)]
+    pub no_judge: bool,
 }
 
 impl Default for ViewArguments {
     fn default() -> Self {
-        Self { scene: DEFAULT_SCENE.to_owned(), no_panel: false, flags: SceneFlags::default() }
+        Self { scene: DEFAULT_SCENE.to_owned(), no_panel: false, flags: SceneFlags::default(), no_judge: false }
     }
 }

@@ -6,6 +6,7 @@ use super::cameras;
 use super::legend;
 use super::mark;
 use super::panel::Outcome;
+use super::panel::edits::{EditsAction, EditsShown};
 use super::screen::physical_size;
 use super::session::Session;
 use super::tracing::Rest;
@@ -39,16 +40,18 @@ impl Session {
         self.follow_view(now);
         self.fit_film();
         self.show_judgement();
+        self.attend_judging(now);
         let before = self.traced();
         let saves = self.engine.has_saves();
         if saves {
-            self.end_judging();
+            self.touch(now);
+            self.step_aside();
             self.keep_seen();
         }
         // What is saved between here and the step is left to the next frame, which first keeps what is seen.
         self.engine.hold_saves(!saves);
         // Judging has the device to itself.
-        if self.activity.working && !self.judgement.is_under_way() {
+        if self.activity.working && !self.judgement.has_device() {
             self.step()?;
         }
         if self.saving && self.tracing.is_whole() {
@@ -78,6 +81,8 @@ impl Session {
         if self.viewpoint.flies(wanted) {
             let speed = FLIGHT_SPEED * self.scene_size();
             self.viewpoint.fly(wanted, elapsed, speed);
+            self.touch(now);
+            self.step_aside();
             self.tracing.pace.moved(now);
         }
     }
@@ -170,12 +175,13 @@ impl Session {
         let name = self.name().to_owned();
         let mark = self.mark();
         let (view, size) = (self.viewpoint.camera, self.scene_size());
-        let Session { screen, engine, overlay, panel, judgement, members, thumbs, selected, .. } = self;
+        let Session { screen, engine, overlay, panel, judgement, edits, members, thumbs, selected, .. } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
                 let family = members.as_ref().map(|members| (members, name.as_str(), &mut *thumbs));
-                outcome.add(panel.show(ui, engine, (&view, size), family, selected.as_deref()));
+                let saved = EditsShown::of(edits, judgement);
+                outcome.add(panel.show(ui, engine, (&view, size), family, (selected.as_deref(), &saved)));
             }
             if let Some(mark) = &mark {
                 mark::draw(ui.ctx(), ui.available_rect_before_wrap(), mark);
@@ -204,7 +210,8 @@ impl Session {
             self.tracing.pace.moved(now);
         }
         if outcome.edited || outcome.moved {
-            self.end_judging();
+            self.touch(now);
+            self.step_aside();
             self.wake_film();
         }
         if let Some(lens) = outcome.lens {
@@ -222,6 +229,11 @@ impl Session {
         if let Some(name) = outcome.member {
             self.choose_member(&name);
         }
+        match outcome.edits {
+            Some(EditsAction::GoBack(row)) => self.go_back_to(row),
+            Some(EditsAction::Judge(on)) => self.set_automatic(on),
+            None => {}
+        }
     }
 
     /// Says in the title how far the film is, twice a second and when it is finished.
@@ -237,6 +249,7 @@ impl Session {
         let rest = match self.tracing.rest {
             Some(Rest::Paused) => ", paused",
             Some(Rest::Fine) => ", as fine as 8 bits show",
+            None if self.judgement.has_device() => ", rests while the edit is judged",
             None => "",
         };
         self.window.set_title(&format!("{name}: {spp}{of} spp{rest} (F1 for keys) - Lucerna"));

@@ -108,7 +108,8 @@ impl Session {
     }
 
     pub(super) fn set_view(&mut self, view: Camera, now: Instant) {
-        self.end_judging();
+        self.touch(now);
+        self.step_aside();
         self.viewpoint.move_to(view);
         self.tracing.pace.moved(now);
     }

@@ -1,79 +1,154 @@
-//! The last edit of the shaders: what it replaced, and what judging it has found so far.
+//! The edit that is judged: asked for by a key, or by itself while nothing else needs the device; and what was found so far.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use glam::UVec2;
 use winit::event_loop::EventLoopProxy;
 
+use super::edits::record::RowId;
 use super::judging::{Ending, Judging};
+use crate::app::edits::Verdict;
+use crate::components::Film;
 use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::Library;
 
-/// The shaders before and after an edit, and the judging of it.
+/// What is judged, if anything is.
+#[derive(Default)]
 pub struct Judgement {
-    /// The shaders that are run.
-    shaders: Library,
-    /// Those from before the last edit that changed what is traced.
-    old: Option<Library>,
-    judging: Option<Judging>,
+    current: Option<Current>,
     ending: Ending,
     /// Before and after are shown side by side, where they were judged.
     pub split: bool,
 }
 
+/// A row that is judged, or was, and nothing that is seen changed since.
+struct Current {
+    of: RowId,
+    judging: Judging,
+    /// As it was when that began.
+    scene: SceneDescription,
+    /// A user asked for it, and has it over the picture.
+    asked: bool,
+    paused: bool,
+}
+
+/// Where judging is done.
+pub struct Place {
+    pub gpu: Arc<Gpu>,
+    pub scene: SceneDescription,
+    /// Tracing between two looks at whether it is to step aside.
+    pub batch: Duration,
+    /// At most, without those of rest.
+    pub seconds: f64,
+    pub wake: EventLoopProxy<()>,
+}
+
 impl Judgement {
-    /// Nothing is edited yet.
-    pub fn new(shaders: Library) -> Self {
-        Self { shaders, old: None, judging: None, ending: Ending::default(), split: false }
+    /// The row that is judged, or was.
+    pub fn of(&self) -> Option<RowId> {
+        self.current.as_ref().map(|current| current.of)
     }
 
-    /// Whether an edit is judged, or was, and nothing changed since.
+    /// Whether a user asked for it, and nothing changed since.
     pub fn is_shown(&self) -> bool {
-        self.judging.is_some()
+        self.current.as_ref().is_some_and(|current| current.asked)
     }
 
     /// Whether more is to be found.
     pub fn is_under_way(&self) -> bool {
-        self.judging.as_ref().is_some_and(Judging::is_under_way)
+        self.current.as_ref().is_some_and(|current| current.judging.is_under_way())
     }
 
-    /// What was found so far, in a line.
+    /// Whether it traces now: the film rests then, for times are compared.
+    pub fn has_device(&self) -> bool {
+        self.is_under_way() && !self.is_paused()
+    }
+
+    /// Whether it waits for the device.
+    pub fn is_paused(&self) -> bool {
+        self.current.as_ref().is_some_and(|current| current.paused && current.judging.is_under_way())
+    }
+
+    /// What was found so far, in a line, where a user asked for it.
     pub fn line(&self) -> Option<&str> {
-        self.judging.as_ref().map(|judging| judging.line.as_str())
+        self.current.as_ref().filter(|current| current.asked).map(|current| current.judging.line.as_str())
     }
 
     /// Before and after side by side, where that is wanted and there is anything.
     pub fn picture(&self) -> Option<(UVec2, Vec<[u8; 4]>)> {
-        self.judging.as_ref().and_then(|judging| judging.split.clone()).filter(|_| self.split)
+        let current = self.current.as_ref().filter(|_| self.split && !self.is_paused());
+        current.and_then(|current| current.judging.split.clone())
     }
 
-    /// Has the last edit judged on a scene. False if there was none.
-    pub fn start(&mut self, gpu: Arc<Gpu>, scene: SceneDescription, wake: EventLoopProxy<()>) -> bool {
-        let Some(old) = self.old.clone() else { return false };
-        self.judging = Some(Judging::start(gpu, [old, self.shaders.clone()], scene, wake));
+    /// Has a row judged, by the shaders before it and its own, in place of any other.
+    pub fn start(&mut self, of: RowId, sides: [Library; 2], place: Place, asked: bool) {
+        self.end();
+        let Place { gpu, scene, batch, seconds, wake } = place;
+        let judging = Judging::start(gpu, sides, scene.clone(), (batch, seconds), wake);
+        self.current = Some(Current { of, judging, scene, asked, paused: false });
+    }
+
+    /// A user asks for what is judged by itself. False where that is another row, or none.
+    pub fn ask(&mut self, of: RowId) -> bool {
+        let Some(current) = self.current.as_mut().filter(|current| current.of == of) else { return false };
+        current.asked = true;
+        self.rest(false);
         true
     }
 
-    /// Receives what was found since the last call. Says whether there was anything.
-    pub fn receive(&mut self) -> bool {
-        self.judging.as_mut().is_some_and(Judging::receive)
+    /// Lets judging wait for the device, or go on.
+    pub fn rest(&mut self, on: bool) {
+        if let Some(current) = &mut self.current {
+            current.paused = on;
+            current.judging.rest(on);
+        }
+    }
+
+    /// What is seen is about to change: what is over is put away, and what is under way waits, or ends where it may not go on `later`.
+    pub fn step_aside(&mut self, later: bool) {
+        if !later || !self.is_under_way() {
+            self.end();
+        } else if let Some(current) = &mut self.current {
+            current.asked = false;
+            self.rest(true);
+        }
+    }
+
+    /// Receives what was found since the last call: of which row, and what.
+    pub fn receive(&mut self) -> Option<(RowId, Verdict)> {
+        let current = self.current.as_mut()?;
+        let verdict = current.judging.receive().then(|| current.judging.verdict.clone())?;
+        Some((current.of, verdict))
     }
 
     /// Ends judging. Says whether there was any.
     pub fn end(&mut self) -> bool {
-        let Some(judging) = self.judging.take() else { return false };
-        self.ending.wait_for(judging.end());
+        let Some(current) = self.current.take() else { return false };
+        self.ending.wait_for(current.judging.end());
         true
     }
 
-    /// Remembers the shaders from before an edit; `traces` is whether that changed what is traced.
-    pub fn follow(&mut self, now: Library, traces: bool) {
-        // An edit that was undone is not there to be judged.
-        self.old = self.old.take().filter(|old| !old.is_same(&now));
-        let before = std::mem::replace(&mut self.shaders, now);
-        if traces && !self.shaders.is_same(&before) {
-            self.old = Some(before);
-        }
+    /// Whether a row is judged on a scene, wherever that is looked at from: films by one camera are as good as by another.
+    pub fn is_on(&self, of: RowId, scene: &SceneDescription) -> bool {
+        self.current.as_ref().is_some_and(|current| current.of == of && is_same(&current.scene, scene))
     }
+}
+
+/// Whether two scenes are the same but for camera, film and number of samples. What they share is told apart by where it is.
+fn is_same(one: &SceneDescription, other: &SceneDescription) -> bool {
+    let alike = one.meshes.len() == other.meshes.len()
+        && one.meshes.iter().zip(&other.meshes).all(|((name, mesh), (other_name, other))| {
+            name == other_name
+                && Arc::ptr_eq(&mesh.geometry, &other.geometry)
+                && (&mesh.transform, &mesh.material) == (&other.transform, &other.material)
+        });
+    let rest = |scene: &SceneDescription| {
+        let mut rest = SceneDescription { meshes: Default::default(), cameras: Default::default(), ..scene.clone() };
+        (rest.film, rest.render.spp) = (Film::default(), 0);
+        rest.active.clear();
+        rest
+    };
+    alike && rest(one) == rest(other)
 }

@@ -1,7 +1,7 @@
-//! The last edit of the shaders judged in the window: by two engines of a thread of their own, on the window's device.
+//! An edit of the shaders judged beside the window: by two engines of a thread of their own, on the window's device.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
@@ -9,19 +9,23 @@ use std::time::{Duration, Instant};
 use glam::UVec2;
 use winit::event_loop::EventLoopProxy;
 
-use crate::app::judge::{Analysis, Judge, JudgeError, Plan, SECONDS, UNCHANGED, WITHIN, marked, standing};
+use crate::app::edits::{State, Verdict};
+use crate::app::judge::{self, Analysis, Control, Judge, JudgeError, Plan, UNCHANGED, WITHIN, marked, standing};
 use crate::app::shared::failure::rendered;
 use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::Library;
+
+/// What is said before there are films.
+const COMPILING: &str = "judging: compiling both";
 
 /// Between two messages of how far it is: each has the window drawn.
 const REPORT: Duration = Duration::from_millis(500);
 
 /// What the thread sends.
 enum Message {
-    /// How far it is.
-    Standing(String),
+    /// How far it is, and the films of each so far.
+    Standing(String, usize),
     /// An analysis, and the mean radiance of the films so far, the old shaders' first.
     Analysis(Box<Analysis>, [Vec<[f32; 3]>; 2]),
     Unchanged,
@@ -31,40 +35,49 @@ enum Message {
 /// Judging that is under way, or over.
 pub struct Judging {
     messages: Receiver<Message>,
-    stop: Arc<AtomicBool>,
+    control: Control,
     thread: Option<JoinHandle<()>>,
     /// By which radiance is multiplied to be shown.
     scale: f64,
     /// Nothing more will come.
     over: bool,
-    /// What the last analysis has found.
-    found: Option<String>,
+    /// What the last analysis has found, and the same in few words.
+    found: Option<(String, String)>,
     /// How far it is, and what was found so far.
     pub line: String,
+    /// The same as a row has it.
+    pub verdict: Verdict,
     /// The size of one picture, and both: by the old shaders, then by the new ones; the differing blocks are marked.
     pub split: Option<(UVec2, Vec<[u8; 4]>)>,
 }
 
 impl Judging {
-    /// Starts to judge. `wake` is called whenever there is something to take.
-    pub fn start(gpu: Arc<Gpu>, sides: [Library; 2], scene: SceneDescription, wake: EventLoopProxy<()>) -> Self {
-        let stop = Arc::new(AtomicBool::new(false));
+    /// Starts to judge, for so many seconds at most, by batches of about some time. `wake` is called whenever there is something to take.
+    pub fn start(
+        gpu: Arc<Gpu>,
+        sides: [Library; 2],
+        scene: SceneDescription,
+        (batch, seconds): (Duration, f64),
+        wake: EventLoopProxy<()>,
+    ) -> Self {
+        let control = Control::default();
         let (sender, messages) = channel();
-        let (exposure, told) = (scene.film.exposure, stop.clone());
+        let (exposure, told) = (scene.film.exposure, control.clone());
         let thread = std::thread::spawn(move || {
-            if let Err(error) = judge(&gpu, &sides, &scene, &told, &sender, &wake) {
+            if let Err(error) = judge(&gpu, &sides, &scene, (told, batch, seconds), &sender, &wake) {
                 let _ = sender.send(Message::Failed(error));
             }
             let _ = wake.send_event(());
         });
         Self {
             messages,
-            stop,
+            control,
             thread: Some(thread),
             scale: f64::from(exposure).exp2(),
             over: false,
             found: None,
-            line: "judging: compiling both".to_owned(),
+            line: COMPILING.to_owned(),
+            verdict: Verdict::new(State::Judging, COMPILING),
             split: None,
         }
     }
@@ -79,9 +92,10 @@ impl Judging {
         let messages: Vec<Message> = self.messages.try_iter().collect();
         for message in &messages {
             match message {
-                Message::Standing(standing) => {
-                    let found = self.found.as_deref().unwrap_or("nothing can be told yet");
+                Message::Standing(standing, films) => {
+                    let (found, short) = self.found.clone().unwrap_or((UNTOLD.to_owned(), UNTOLD.to_owned()));
                     self.line = format!("judging: {standing}; {found}");
+                    self.verdict = progress(*films, &short, &self.line);
                 }
                 Message::Analysis(analysis, pictures) => {
                     self.over = analysis.ended.is_some();
@@ -91,11 +105,23 @@ impl Judging {
                         "{state}: {found} ({} films of {} spp each at {}x{})",
                         analysis.films, analysis.spp, size.x, size.y
                     );
-                    self.found = Some(found);
+                    self.verdict = match self.over {
+                        true => Verdict { state: state_of(analysis), short: analysis.short(), line: self.line.clone() },
+                        false => progress(analysis.films, &analysis.so_far(), &self.line),
+                    };
+                    self.found = Some((found, analysis.so_far()));
                     self.split = Some((size, self.split_picture(analysis, pictures)));
                 }
-                Message::Unchanged => (self.over, self.line) = (true, format!("judged: {UNCHANGED}")),
-                Message::Failed(error) => (self.over, self.line) = (true, rendered(error, false)),
+                Message::Unchanged => {
+                    (self.over, self.line) = (true, format!("judged: {UNCHANGED}"));
+                    let short = "changes nothing of what the scene runs".to_owned();
+                    self.verdict = Verdict { state: State::Unchanged, short, line: self.line.clone() };
+                }
+                Message::Failed(error) => {
+                    (self.over, self.line) = (true, rendered(error, false));
+                    let short = format!("judging failed: {error}").lines().next().unwrap_or_default().to_owned();
+                    self.verdict = Verdict { state: State::Failed, short, line: self.line.clone() };
+                }
             }
         }
         !messages.is_empty()
@@ -107,7 +133,28 @@ impl Judging {
     }
 }
 
+/// What is said before there are films enough.
+const UNTOLD: &str = "nothing can be told yet";
+
+/// How far it is in few words.
+fn progress(films: usize, found: &str, line: &str) -> Verdict {
+    Verdict { state: State::Judging, short: format!("judging: {films} films; {found}"), line: line.to_owned() }
+}
+
+fn state_of(analysis: &Analysis) -> State {
+    match analysis.verdict {
+        judge::Verdict::Differ => State::Differ,
+        judge::Verdict::Agree(_) => State::Agree,
+        judge::Verdict::CannotTell(_) => State::CannotTell,
+    }
+}
+
 impl Judging {
+    /// Lets it rest from the next batch on, or go on.
+    pub fn rest(&self, on: bool) {
+        self.control.pause.set(on);
+    }
+
     /// Ends it, without waiting for the thread: that may compile for a while yet.
     pub fn end(mut self) -> Option<JoinHandle<()>> {
         self.thread.take()
@@ -116,7 +163,8 @@ impl Judging {
 
 impl Drop for Judging {
     fn drop(&mut self) {
-        self.stop.store(true, Ordering::Relaxed);
+        self.control.stop.store(true, Ordering::Relaxed);
+        self.control.pause.set(false);
         if let Some(thread) = self.thread.take() {
             // A thread that panicked has said so.
             let _ = thread.join();
@@ -149,7 +197,7 @@ fn judge(
     gpu: &Arc<Gpu>,
     [old, new]: &[Library; 2],
     scene: &SceneDescription,
-    stop: &Arc<AtomicBool>,
+    (control, batch, seconds): (Control, Duration, f64),
     messages: &Sender<Message>,
     wake: &EventLoopProxy<()>,
 ) -> Result<(), JudgeError> {
@@ -157,13 +205,14 @@ fn judge(
         spp: None,
         whole: false,
         begin: Instant::now(),
-        seconds: Some(SECONDS),
+        seconds: Some(seconds),
         films: None,
         alpha: 1e-3,
         within: WITHIN,
         seed: scene.render.seed,
+        batch,
     };
-    let mut judge = Judge::open(gpu, [old, new], scene, plan, stop.clone())?;
+    let mut judge = Judge::open(gpu, [old, new], scene, plan, control)?;
     if !judge.changed() {
         let _ = messages.send(Message::Unchanged);
         return Ok(());
@@ -174,7 +223,7 @@ fn judge(
         let ended = analysis.as_ref().is_some_and(|analysis| analysis.ended.is_some());
         let message = match analysis {
             Some(analysis) => Message::Analysis(Box::new(analysis), judge.pictures()),
-            None if told.elapsed() >= REPORT => Message::Standing(standing(&judge)),
+            None if told.elapsed() >= REPORT => Message::Standing(standing(&judge), judge.films()),
             None => continue,
         };
         told = Instant::now();

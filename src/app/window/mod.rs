@@ -23,7 +23,8 @@
 //! | `beside` | drawing: two pictures with a divider between them |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
 //! | `save_edits`, `scene_file` | what was changed goes into the scene's file |
-//! | `saves`, `judge`, `judging` | what was saved meanwhile; whether it made the estimator better, worse or wrong |
+//! | `saves`, `edits` | what was saved meanwhile; the record of it, kept and judged by itself |
+//! | `judge`, `judging` | whether an edit made the estimator better, worse or wrong |
 //! | `panel` | numbers, curves, sliders |
 
 pub mod activity;
@@ -34,6 +35,7 @@ mod cameras;
 mod controls;
 mod display;
 pub mod dock;
+pub mod edits;
 mod failures;
 pub mod family;
 pub mod flight;
@@ -103,7 +105,7 @@ pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
         }
     };
     opening.panel = !arguments.no_panel;
-    let mut application = Application::new(opening);
+    let mut application = Application::new(opening.judging(!arguments.no_judge));
     events.run_app(&mut application).map_err(|error| Failure::of(Ended(error)))?;
     application.outcome()
 }

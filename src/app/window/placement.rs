@@ -83,7 +83,8 @@ impl Session {
             film.map(|mut film| film.size = size).is_some()
         });
         if changed {
-            self.end_judging();
+            self.touch(Instant::now());
+            self.step_aside();
             self.film_restarts(Instant::now());
         }
     }

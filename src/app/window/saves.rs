@@ -18,9 +18,9 @@ impl Session {
         let member = self.follow_member();
         for event in events {
             match event {
-                ReloadEvent::Failed { problems, .. } => {
+                ReloadEvent::Failed { files, problems, since_save } => {
                     problems.iter().for_each(|problem| show(&*problem.diagnostic));
-                    self.follow_shaders(false);
+                    self.record_failed(&files, &problems, since_save);
                     self.draw_again();
                 }
                 ReloadEvent::Reloaded { files, restarts, .. }
@@ -40,9 +40,11 @@ impl Session {
                         [one] => one.to_string_lossy().into_owned(),
                         [one, others @ ..] => format!("{} and {} more", one.to_string_lossy(), others.len()),
                     };
-                    self.report(format!("{what} taken up after {}: {restarts} anew", milliseconds(since_save)));
-                    self.end_judging();
-                    self.follow_shaders(restarts.film);
+                    self.step_aside();
+                    let after = milliseconds(since_save);
+                    let taken = format!("{what} taken up after {after}: {restarts} anew");
+                    let more = self.record_taken(&files, restarts, since_save, member.is_some());
+                    self.report(more.map_or(taken.clone(), |more| format!("{taken}; {more}")));
                     if restarts.film {
                         self.tracing.began = Instant::now();
                     }
@@ -56,9 +58,11 @@ impl Session {
                     self.report(format!("compiling .. {} s{others}", since.as_secs()));
                 }
                 ReloadEvent::FirstPixels { since_save } => {
+                    self.record_pixels(since_save);
                     self.report(format!("new pixels {} after the save", milliseconds(since_save)));
                 }
                 ReloadEvent::Linted { warnings, .. } => {
+                    self.record_lint(&warnings);
                     warnings.iter().for_each(|warning| show(&*warning.diagnostic));
                     if let Some(first) = warnings.first() {
                         self.notify(first.diagnostic.to_string());

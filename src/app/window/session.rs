@@ -12,6 +12,7 @@ use winit::window::Window;
 use super::activity::Activity;
 use super::cameras;
 use super::controls::{Controls, Intent};
+use super::edits::Edits;
 use super::failures::Failures;
 use super::family::{Family, Listing};
 use super::judgement::Judgement;
@@ -26,6 +27,7 @@ use super::screen::{Screen, physical_size};
 use super::thumbs::Thumbs;
 use super::tracing::Tracing;
 use super::viewpoint::Viewpoint;
+use crate::app::edits::PLACE;
 use crate::app::shared::failure::show;
 use crate::app::shared::scene::{Opened, SceneFlags};
 use crate::app::shared::textures::TextureNotices;
@@ -50,6 +52,10 @@ pub struct Opening {
     pub panel: bool,
     /// A device was lost.
     again: bool,
+    /// Edits are judged without being asked for it.
+    judges: bool,
+    /// What was saved on a device that was lost.
+    edits: Option<Edits>,
     /// Wakes the window when something was saved.
     wake: EventLoopProxy<()>,
 }
@@ -58,12 +64,18 @@ impl Opening {
     /// A scene as it was read, and the shaders that draw it; with the panel.
     pub fn new(opened: Opened, shaders: Library, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
         let description = opened.description.clone();
-        Self { description, opened, flags, family: None, shaders, panel: true, again: false, wake }
+        let (panel, again, judges) = (true, false, true);
+        Self { description, opened, flags, family: None, shaders, panel, again, judges, edits: None, wake }
     }
 
     /// A member of a family.
     pub fn of_family(self, family: Family) -> Self {
         Self { family: Some(family), ..self }
+    }
+
+    /// Whether edits are judged without being asked for it.
+    pub fn judging(self, judges: bool) -> Self {
+        Self { judges, ..self }
     }
 
     /// Watches the scene's files and the shaders. The window does without if that can't be done.
@@ -92,6 +104,8 @@ pub struct Session {
     /// What to open again on another device.
     opening: Opening,
     pub(super) judgement: Judgement,
+    /// What was saved since the window opened.
+    pub(super) edits: Edits,
     pub(super) controls: Controls,
     pub(super) overlay: Overlay,
     pub(super) panel: Panel,
@@ -121,7 +135,7 @@ pub struct Session {
 
 impl Session {
     /// Opens a device for the window, and the scene on it.
-    pub fn open(window: Arc<Window>, opening: Opening) -> Result<Session, EngineError> {
+    pub fn open(window: Arc<Window>, mut opening: Opening) -> Result<Session, EngineError> {
         let library = opening.shaders.clone();
         let features = library.features().map_err(GpuError::from)?.into_iter().collect();
         let (gpu, screen) = Screen::open(&window, &library)?;
@@ -138,12 +152,20 @@ impl Session {
         let folder = opening.opened.path.parent().map(Path::to_path_buf).unwrap_or_default();
         let panel = Panel::new(opening.panel, features, gpu.is_software(), folder);
         let now = Instant::now();
+        let edits = opening.edits.take().unwrap_or_else(|| {
+            let wake = opening.wake.clone();
+            let woken = move || {
+                let _ = wake.send_event(());
+            };
+            Edits::new(&opening.description.name, library, PLACE.into(), opening.judges, woken)
+        });
         Ok(Session {
             window,
             screen,
             engine,
             gpu,
-            judgement: Judgement::new(library),
+            judgement: Judgement::default(),
+            edits,
             controls: Controls::default(),
             overlay: Overlay::default(),
             panel,
@@ -181,8 +203,8 @@ impl Session {
         }
         let shaders = self.engine.library();
         self.end_judging();
-        let panel = self.panel.open;
-        (self.window, Opening { description, opened, shaders, panel, again: true, ..self.opening })
+        let (panel, edits) = (self.panel.open, Some(self.edits));
+        (self.window, Opening { description, opened, shaders, panel, again: true, edits, ..self.opening })
     }
 
     pub fn window(&self) -> &Window {
@@ -219,6 +241,11 @@ impl Session {
         self.activity.quit
     }
 
+    /// Has on the disk what is to outlive the window.
+    pub fn finish(&self) {
+        self.edits.flush();
+    }
+
     pub(super) fn quit(&mut self) {
         self.end_judging();
         self.activity.quit = true;
@@ -226,8 +253,12 @@ impl Session {
 
     /// The next step may find something to do.
     pub fn resume(&mut self) {
+        if self.engine.has_saves() || self.engine.is_compiling_saves() {
+            self.touch(Instant::now());
+        }
+        self.hear_keeper();
+        self.show_judgement();
         self.activity.working = true;
-        self.activity.redraw |= self.judgement.is_shown();
     }
 
     /// Something is to be drawn anew.
@@ -266,6 +297,11 @@ impl Session {
     /// Takes an event of the window: first the user interface, then the controls.
     pub fn event(&mut self, event: &WindowEvent) -> Result<(), EngineError> {
         match event {
+            WindowEvent::CursorMoved { .. }
+            | WindowEvent::MouseInput { .. }
+            | WindowEvent::MouseWheel { .. }
+            | WindowEvent::KeyboardInput { .. }
+            | WindowEvent::Touch(_) => self.touch(Instant::now()),
             WindowEvent::Resized(_) => {
                 self.screen.resize()?;
                 let now = Instant::now();
@@ -311,13 +347,14 @@ impl Session {
             return None;
         }
         // Judging has the device to itself, and wakes the window when it has found something.
-        let works = self.activity.working && !self.judgement.is_under_way();
+        let works = self.activity.working && !self.judgement.has_device();
         let moves = self.viewpoint.moved || self.viewpoint.flies(self.controls.flight());
         if works || self.activity.redraw || moves {
             return Some(self.activity.last_frame + pace::FRAME);
         }
         let pixel = self.looked_at();
         let reading = self.panel.next_reading(&mut self.engine, pixel, self.tracing.began);
-        [self.overlay.expires_at(), self.activity.ui_again, reading].into_iter().flatten().min()
+        let judging = self.judging_due();
+        [self.overlay.expires_at(), self.activity.ui_again, reading, judging].into_iter().flatten().min()
     }
 }

@@ -6,6 +6,7 @@
 mod copy;
 pub mod curve;
 pub mod debug;
+pub mod edits;
 pub mod lens;
 pub mod lights;
 mod maps;
@@ -33,6 +34,7 @@ use crate::app::window::thumbs::Thumbs;
 use crate::components::{Camera, Lens};
 use crate::engine::{Engine, EngineError};
 
+use edits::{EditsAction, EditsShown};
 use readings::Readings;
 
 /// What a user did in the panel.
@@ -52,6 +54,8 @@ pub struct Outcome {
     pub save: bool,
     /// What was copied.
     pub said: Option<String>,
+    /// What is wanted of the record of edits.
+    pub edits: Option<EditsAction>,
 }
 
 impl Outcome {
@@ -64,6 +68,7 @@ impl Outcome {
         self.member = later.member.or(self.member.take());
         self.save |= later.save;
         self.said = later.said.or(self.said.take());
+        self.edits = later.edits.or(self.edits);
     }
 }
 
@@ -130,14 +135,14 @@ impl Panel {
     }
 
     /// Draws it at the right side of the window, as wide as a hand has made it. `view` is the camera and the size of the scene; `family` are its members, the name of the one
-    /// that is shown, and their pictures; `selected` is the name of a mesh.
+    /// that is shown, and their pictures; `selected` is the name of a mesh; `saved` is what was saved since the window opened.
     pub fn show(
         &mut self,
         ui: &mut egui::Ui,
         engine: &mut Engine,
         (camera, size): (&Camera, f64),
         family: Option<(&Listing, &str, &mut Thumbs)>,
-        selected: Option<&str>,
+        (selected, saved): (Option<&str>, &EditsShown),
     ) -> Outcome {
         let mut outcome = Outcome::default();
         let samples = wanted_samples(engine);
@@ -155,6 +160,7 @@ impl Panel {
             egui::ScrollArea::both().auto_shrink(false).show(&mut inner, |ui| {
                 narrow(ui.spacing_mut());
                 outcome.save = save::show(ui);
+                section(ui, "Edits", true, |ui| outcome.edits = edits::show(ui, saved));
                 if let Some((list, shown, thumbs)) = family {
                     section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
                 }
