@@ -138,6 +138,13 @@ fn what_fails_is_a_row_and_what_is_taken_back_does_not_run() {
     assert_eq!(record.fail(failed("failed: b.wgsl:3:1: this loop does not end"), &shaders("a")), endless);
     assert_eq!((state(&record, endless), record.running().id), (State::Failed, a));
     assert!(!record.judge(endless, Verdict::new(State::Agree, "agrees")), "it was taken back");
+
+    // So can a row fail that was gone back to: what ran before runs.
+    record.go_back(0).unwrap();
+    record.take(edit(Kind::Shaders, &[], Verdict::new(State::Waiting, "")), &shaders("first"), true);
+    assert_eq!(record.running().id, 0);
+    record.fail(failed("failed: this loop does not end"), &shaders("a"));
+    assert_eq!((record.running().id, state(&record, 0)), (a, State::None));
 }
 
 #[test]

@@ -71,8 +71,10 @@ impl Session {
         let shaders = self.engine.library();
         let known = self.edits.record.running().id;
         let id = self.edits.record.fail(edit, &shaders);
-        if id == known {
+        if self.edits.record.running().id != known {
             self.end_judging();
+        }
+        if id == known {
             self.edits.update(id);
         } else {
             self.edits.keep(id);

@@ -113,6 +113,9 @@ impl Record {
         self.wanted = None;
         let newest = self.rows.back().map(|row| row.id).filter(|id| *id == self.runs && *id > 0);
         let Some(id) = newest.filter(|id| !self.has_shaders(*id, shaders)) else {
+            // A row that was gone back to can fail too: what ran before it runs.
+            let known = self.rows.iter().rev().find(|row| self.has_shaders(row.id, shaders)).map(|row| row.id);
+            self.runs = known.filter(|_| !self.has_shaders(self.runs, shaders)).unwrap_or(self.runs);
             return self.push(Row { id: 0, number: None, edit, shaders: None, before: None, traces: false });
         };
         let before = self.row(id).and_then(|row| row.before.as_ref()).map_or(0, |(before, _)| *before);
