@@ -22,7 +22,7 @@ pub fn draw(context: &Context, picture: Rect, mark: &Mark) {
     for stroke in STROKES {
         mark.lines.iter().for_each(|line| _ = painter.line_segment(*line, stroke));
     }
-    let around = Rect::from_points(&mark.lines.as_flattened().iter().copied().collect::<Vec<_>>());
+    let around = Rect::from_points(mark.lines.as_flattened());
     if !around.intersects(picture) {
         // The mesh is elsewhere.
         return;

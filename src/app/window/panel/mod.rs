@@ -1,6 +1,7 @@
 //! The panel: what the engine does, and what can be changed about it.
 //!
-//! It stands at the right of the picture, and covers nothing of it. Every section keeps its height, whatever there is to say. Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
+//! It stands at the right of the picture, and covers nothing of it. Every section keeps its height, whatever there is to say.
+//! Nothing is read back from the device while it is closed. Every change but that of the view is an edit of components: the
 //! engine finds out by itself what it makes undone.
 
 mod copy;
@@ -134,8 +135,8 @@ impl Panel {
         if self.open { self.readings.read(engine, pixel, began, now) } else { Ok(false) }
     }
 
-    /// Draws it at the right side of the window, as wide as a hand has made it. `view` is the camera and the size of the scene; `family` are its members, the name of the one
-    /// that is shown, and their pictures; `selected` is the name of a mesh; `saved` is what was saved since the window opened.
+    /// Draws it at the right side of the window, as wide as a hand has made it. `view` is the camera and the size of the scene; `family` are
+    /// its members, the name of the one that is shown, and their pictures; `selected` is the name of a mesh; `saved` is what was saved since the window opened.
     pub fn show(
         &mut self,
         ui: &mut egui::Ui,
