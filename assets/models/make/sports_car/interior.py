@@ -5,6 +5,8 @@ import numpy as np
 from mesh import Part, joined, unit
 from shapes import box, lathe, oriented, plate, soft_loft, sweep, tube, turned
 
+# How far all of it stands ahead of where its numbers have it.
+FORWARD = .175
 # Path of a seat's middle: y, z, width, how deep the bolsters are.
 SEAT = ((.245, .235, .78, .3), (.278, .10, .98, .9), (.262, -.05, 1.0, 1.0), (.262, -.17, 1.0, .9), (.315, -.275, 1.0, .9), (.42, -.325, 1.0, 1.1),
         (.55, -.375, 1.02, 1.25), (.68, -.43, 1.0, 1.1), (.765, -.468, .78, .6), (.80, -.483, .52, .3), (.93, -.525, .46, .2), (.955, -.537, .34, .1))
@@ -90,13 +92,19 @@ def console():
 def bulkhead():
     wall = box("bulkhead", "leather_dark", (0, .46, -.605), (1.62, .70, .04), .01)
     shelf = box("parcel_shelf", "alcantara", (0, .80, -.75), (1.30, .02, .36), .008)
-    carpet = plate("carpet", "carpet", [(-.86, -.60), (.86, -.60), (.86, .86), (-.86, .86)], .135, .15)
-    toe = box("toe_board", "carpet", (0, .40, .86), (1.5, .56, .03), .01)
-    engine = [box("engine", "trim_black", (0, .74, -1.24), (.34, .07, .66), .03), box("engine", "trim_black", (.20, .73, -1.24), (.09, .06, .60), .02),
-              box("engine", "trim_black", (-.20, .73, -1.24), (.09, .06, .60), .02)]
+    carpet = plate("carpet", "carpet", [(-.86, -.60), (.86, -.60), (.86, .74), (.56, .74), (.56, .86), (-.56, .86), (-.56, .74), (-.86, .74)], .135, .15)
+    toe = box("toe_board", "carpet", (0, .40, .86), (1.12, .56, .03), .01)
     glass_mirror = [box("inner_mirror", "trim_black", (0, 1.035, .10), (.21, .055, .025), .012), box("inner_mirror", "trim_black", (0, 1.072, .10), (.02, .06, .015), .005)]
-    return [wall, shelf, carpet, toe, joined("engine", engine), joined("inner_mirror", glass_mirror)]
+    return [wall, shelf, carpet, toe, joined("inner_mirror", glass_mirror)]
+
+
+def engine():
+    """What is seen of it between the slats of the lid."""
+    boxes = [box("engine", "trim_black", (0, .74, -1.20), (.34, .07, .66), .03), box("engine", "trim_black", (.20, .73, -1.20), (.09, .06, .60), .02),
+             box("engine", "trim_black", (-.20, .73, -1.20), (.09, .06, .60), .02)]
+    return [joined("engine", boxes)]
 
 
 def all_parts():
-    return seat(.37, "left") + seat(-.37, "right") + dashboard() + steering() + console() + bulkhead()
+    parts = seat(.37, "left") + seat(-.37, "right") + dashboard() + steering() + console() + bulkhead()
+    return [part.moved(by=(0, 0, FORWARD)) for part in parts] + engine()

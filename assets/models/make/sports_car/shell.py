@@ -43,7 +43,7 @@ def panels(skin):
     planar(out[-1], (2, 1), 30)
     slats = []
     for k in range(LOUVRES):
-        start = -1.045 - k * .096
+        start = -.850 - k * .096
         lift = lambda p: .012 * ((start - p[:, 2]) / .069) - .016 * (1 - (start - p[:, 2]) / .069)
         slats.append(skin.part("slat", "paint", {"slat%d" % k}, offset=lift, fold=.007, lip=.002))
     out.append(both(joined("louvres", slats)))
@@ -72,7 +72,7 @@ def linings(rough):
     posts = rough.part("post_lining", "trim_black", {"pillar", *(w + e for w in ("windscreen", "side_window", "quarter") for e in ("_frit", "_seal"))}, offset=-.018, pick=cabin)
     cards = rough.part("door_cards", "leather", {"body"}, offset=-.05, pick=doors)
     bay = rough.part("lid_inside", "gap_black", {"body"}, offset=-.045, pick=engine)
-    tail = rough.part("tail_mesh", "grille_fine", {"body"}, offset=-.024, pick=lambda t: t[0] == "rear" and t[2] < 2)
+    tail = rough.part("tail_mesh", "grille_fine", {"between_lamps"}, offset=-.062, pick=lambda t: t[0] == "rear" and t[2] < 2)
     mouth = lambda t: t[0] == "front"
     mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, offset=-.085, pick=mouth)), (0, 1), 14)
     dark = both(rough.part("intake_back", "gap_black", {"body"}, offset=-.15, pick=mouth))

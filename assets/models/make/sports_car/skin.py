@@ -10,6 +10,16 @@ NEAR = 2.5e-4
 BEND = 7e-4
 
 
+def untwisted(points, normals, faces):
+    """The faces, with those of four corners that cross themselves as triangles that look where their normals do."""
+    out = []
+    for f in faces:
+        halves = [[f[0], f[1], f[2]], [f[0], f[2], f[3]]] if len(f) == 4 else [f]
+        looks = [area(points[h]) @ normals[h].sum(0) for h in halves]
+        out += [f] if min(looks) > 0 else [h if look > 0 else h[::-1] for h, look in zip(halves, looks)]
+    return out
+
+
 class Skin:
     """`tags`: what each face belongs to (patch, row, column); `labels`: the region that it has been cut into."""
 
@@ -265,10 +275,10 @@ class Skin:
     def faces_of(self, labels, pick=None):
         return [f for f, l, t in zip(self.faces, self.labels, self.tags) if l in labels and (pick is None or pick(t))]
 
-    def part(self, name, material, labels, offset=0.0, fold=0.0, lip=0.0015, shift=None, pick=None, walls=False):
+    def part(self, name, material, labels, offset=0.0, fold=0.0, lip=0.0015, shift=None, pick=None, walls=False, into=None):
         """The faces of some labels, moved along their normals by `offset` (a number, or a function of positions), with
         edges turned in by `fold`; `shift(points, normals)` may move them anywhere. With `walls`, there is nothing but
-        the edges, seen from inside."""
+        the edges, seen from inside. `into`: a direction in which offset (then negative) and edges go instead of along the normals."""
         faces = self.faces_of(labels, pick)
         index = {}
         for f in faces:
@@ -278,13 +288,15 @@ class Skin:
         n = self.normals[ids]
         p = self.points[ids]
         off = offset(p) if callable(offset) else offset
-        p = p + n * np.reshape(off, (-1, 1) if np.ndim(off) else (1, 1))
+        out = n if into is None else -unit(np.broadcast_to(np.asarray(into, float), n.shape))
+        p = p + out * np.reshape(off, (-1, 1) if np.ndim(off) else (1, 1))
         if shift is not None:
             p = shift(p, n)
         faces = [[index[v] for v in f] for f in faces]
         if not fold:
-            return Part(name, material, p, faces, n)
-        extra = folded(p, n, faces, fold, lip)
+            return Part(name, material, p, untwisted(p, n, faces), n)
+        extra = folded(p, out, faces, fold, lip)
+        faces = untwisted(p, n, faces)
         if walls:
             return Part(name, material, np.concatenate([p, extra[0]]), extra[1], np.concatenate([n, extra[2]]), extra[3]).flipped()
         return Part(name, material, np.concatenate([p, extra[0]]), faces + extra[1],

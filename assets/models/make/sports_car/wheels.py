@@ -7,8 +7,8 @@ from mesh import joined, smooth
 from shapes import lathe, oriented, turned
 
 # Half of the width, radius of the tyre, radius of the rim's edge.
-FRONT_WHEEL = (.1225, .327, .2475)
-REAR_WHEEL = (.1525, .3455, .260)
+FRONT_WHEEL = (.1225, .340, .2595)
+REAR_WHEEL = (.1575, .357, .271)
 
 
 def tyre(half, radius, rim):
@@ -147,6 +147,6 @@ def wheel(kind, name, at, side, steer=0.0):
 def wheels():
     out = []
     for side, word in ((1, "left"), (-1, "right")):
-        out += wheel(FRONT_WHEEL, "front_" + word, (side * .846, .327, 1.325), side)
-        out += wheel(REAR_WHEEL, "rear_" + word, (side * .824, .3455, -1.325), side)
+        out += wheel(FRONT_WHEEL, "front_" + word, (side * .864, .339, 1.325), side)
+        out += wheel(REAR_WHEEL, "rear_" + word, (side * .842, .356, -1.325), side)
     return out
