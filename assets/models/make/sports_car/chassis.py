@@ -88,8 +88,8 @@ def diffuser():
 def mirror_arm():
     """A short wing from a foot at the door's upper corner to the shell."""
     rings = []
-    for centre, along, thick in (((.800, .778, .742), .070, .014), ((.832, .788, .738), .064, .012), ((.866, .800, .730), .052, .011),
-                                 ((.905, .815, .722), .048, .011), ((.950, .836, .714), .056, .014)):
+    for centre, along, thick in (((.800, .778, .742), .066, .012), ((.832, .786, .738), .060, .010), ((.866, .793, .730), .052, .009),
+                                 ((.905, .803, .722), .050, .009), ((.950, .818, .714), .058, .012)):
         u, v = squared(along, thick, .8, 12)
         rings.append(np.stack([centre[0] - .4 * v, centre[1] + v, centre[2] + u], 1))
     return soft_loft("leg", "gloss_black", rings, 1)
@@ -97,7 +97,7 @@ def mirror_arm():
 
 def mirrors():
     """A shell that tapers ahead, painted above and black below, on two thin legs, with a pane."""
-    x, y, z = .968, .866, .650
+    x, y, z = .968, .850, .650
     rings = []
     for t, half, height in ((0, .100, .047), (.10, .107, .053), (.38, .106, .053), (.68, .092, .043), (.88, .062, .027), (1, .022, .009)):
         u, v = squared(half, height, .5, lean=.20)

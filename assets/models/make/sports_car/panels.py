@@ -41,7 +41,7 @@ REAR_BUMPER = [(-1.2, .60), (-1.72, .60), (-1.90, .598), (-2.7, .585), (-2.7, -.
 CENTRE_INTAKE = mirrored([(0, .300), (.36, .306), (.475, .270), (.535, .180), (.510, .152), (0, .152)])
 OUTER_INTAKE = [(.610, .165), (.635, .265), (.700, .370), (.775, .415), (.868, .435), (.893, .385), (.884, .240), (.850, .172)]
 # Of each intake of the nose: its outline and the heights of its bars.
-MOUTHS = {"centre_intake": (CENTRE_INTAKE, (.228,)), "outer_intake": (OUTER_INTAKE, (.245, .320))}
+MOUTHS = {"centre_intake": (CENTRE_INTAKE, (.228,)), "outer_intake": (OUTER_INTAKE, (.235,))}
 # How wide the frame of such an intake is, and how deep it leads.
 FRAME, FUNNEL = .022, .040
 TAIL_PANEL = mirrored([(0, .812), (.55, .808), (.80, .778), (.826, .738), (.80, .655), (.55, .624), (0, .624)])
@@ -111,11 +111,15 @@ def cut(skin):
     skin.panel("flap", circle((-.985, .772), .058), flank, GAP * .8)
     skin.region("intake_frame", Outline(INTAKE, SIDE, .03), pick(side, "body"))
     skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)
+    skin.region("intake_blade", lambda p: np.abs(p[:, 1] - .565 + .14 * (p[:, 2] + .68)) - .013, pick(side, "intake"))
     skin.panel("handle", Outline(HANDLE, SIDE, .012), side, .004, ("door",))
     skin.region("skirt", lambda p: p[:, 1] - (.178 + .012 * np.clip(-p[:, 2], 0, 1)), lambda t, l: side(t, l) and l in ("body", "door") and 3 < t[1] < 13)
     skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
     for name, (outline, bars) in MOUTHS.items():
         hole = Outline(outline, FRONT, .03)
+        if name == "outer_intake":
+            wing = lambda p: np.maximum(hole(p), np.abs(p[:, 1] - .325 - .16 * (p[:, 0] - .75)) - .012)
+            skin.region("outer_wing", wing, pick(face, "bumper"))
         skin.region(name + "_frame", hole, pick(face, "bumper"), FRAME)
         skin.region(name, hole, pick(face, name + "_frame"))
         for y in bars:
@@ -126,6 +130,8 @@ def cut(skin):
     skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .02), pick(tail_wide, "tail_panel"))
     skin.region("diffuser", Outline(DIFFUSER, FRONT, .03), pick(tail_wide, "tail_bumper"))
     skin.region("vent", Outline(VENT, FRONT, .02), pick(tail_wide, "tail_bumper"))
+    for y in (.462, .512):
+        skin.region("vent_blade", lambda p: np.abs(p[:, 1] - y - .08 * (p[:, 0] - .79)) - .006, pick(tail_wide, "vent"))
     for _ in range(2):
         skin.coarsen()
     for _ in range(6):
