@@ -96,22 +96,20 @@ def mirror_arm():
 
 
 def mirrors():
-    """A shell that tapers ahead, painted above and black below, on two thin legs, with a pane."""
+    """A shell that tapers ahead, on a short wing, with a pane."""
     x, y, z = .968, .850, .650
     rings = []
     for t, half, height in ((0, .100, .047), (.10, .107, .053), (.38, .106, .053), (.68, .092, .043), (.88, .062, .027), (1, .022, .009)):
         u, v = squared(half, height, .5, lean=.20)
         rings.append(np.stack([x + u - .050 * t ** 1.5, y + v - .016 * t, z + .150 * t + .018 * (-u / .1) * (1 - .5 * t)], 1))
     shell = soft_loft("mirror", "paint", rings, 1)
-    below = [shell.points[f].mean(0)[1] < y - .019 - .014 * (shell.points[f].mean(0)[2] - z) / .15 for f in shell.faces]
-    upper, lower = shell.only(lambda k: not below[k]), shell.moved(name="mirror_foot").only(lambda k: below[k], "gloss_black")
     u, v = squared(.089, .040, .5, 28, .20)
     glass = np.stack([x + u, y + v, z - .004 - .18 * u], 1)
     pane = smooth("mirror_pane", "mirror", glass, [list(range(len(u)))[::-1]], 30)
     edge = sweep("mirror_edge", "gloss_black", glass + (0, 0, .004), disk(.0055, 8), 60, closed=True)
     legs = [mirror_arm()]
     out = []
-    for part in (upper, lower, pane, oriented(edge), joined("mirror_legs", legs)):
+    for part in (shell, pane, oriented(edge), joined("mirror_legs", legs)):
         out += pair(part)
     return out
 

@@ -94,7 +94,7 @@ def bulkhead():
     shelf = box("parcel_shelf", "alcantara", (0, .80, -.75), (1.30, .02, .36), .008)
     carpet = plate("carpet", "carpet", [(-.86, -.60), (.86, -.60), (.86, .74), (.56, .74), (.56, .86), (-.56, .86), (-.56, .74), (-.86, .74)], .135, .15)
     toe = box("toe_board", "carpet", (0, .40, .86), (1.12, .56, .03), .01)
-    glass_mirror = [box("inner_mirror", "trim_black", (0, 1.035, .10), (.21, .055, .025), .012), box("inner_mirror", "trim_black", (0, 1.072, .10), (.02, .06, .015), .005)]
+    glass_mirror = [box("inner_mirror", "trim_black", (0, 1.015, .10), (.21, .055, .025), .012), box("inner_mirror", "trim_black", (0, 1.048, .10), (.02, .05, .015), .005)]
     return [wall, shelf, carpet, toe, joined("inner_mirror", glass_mirror)]
 
 

@@ -8,6 +8,8 @@ from mesh import Part, area, face_normals, unit
 NEAR = 2.5e-4
 # What a line between regions may move when it is simplified.
 BEND = 7e-4
+# What a normal between two corners may differ from their mean.
+SHADED = .045
 
 
 def untwisted(points, normals, faces):
@@ -140,7 +142,7 @@ class Skin:
         for p, ks in groups.items():
             ks.sort(key=lambda k: self.order[k])
             if len(ks) == 4 and len({self.labels[k] for k in ks}) == 1 and all(len(self.faces[k]) == 4 for k in ks) and choose(self.tags[ks[0]]):
-                if p[0] == 1 or self.flat([self.faces[k] for k in ks]):
+                if self.flat([self.faces[k] for k in ks], p[0] > 1):
                     whole[p] = ks
         joined = {k for ks in whole.values() for k in ks}
         used = {v for k, f in enumerate(self.faces) if k not in joined for v in f}
@@ -265,8 +267,14 @@ class Skin:
             for row in (self.labels, self.tags, self.parents, self.order):
                 row.append(row[near])
 
-    def flat(self, four):
-        """Whether the middles of the edges and the centre lie on the larger face, as far as `within` says."""
+    def flat(self, four, exactly):
+        """Whether the larger face is shaded like the four, so that no crease blurs; `exactly`: and the middles of the edges and the centre lie
+        on it, as far as `within` says."""
+        a, b = self.normals[[f[0] for f in four]], self.normals[[f[1] for f in four]]
+        if np.abs(b - (a + np.roll(a, -1, 0)) / 2).max() > SHADED:
+            return False
+        if not exactly:
+            return True
         c = self.points[[f[0] for f in four]]
         e = self.points[[f[1] for f in four]]
         bent = np.abs(e - (c + np.roll(c, -1, 0)) / 2).max()
