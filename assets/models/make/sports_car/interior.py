@@ -27,8 +27,8 @@ def along(path, section, scale_depth=True):
 
 
 def seat(x, word):
-    shell = soft_loft("seat", "leather", along(SEAT, SECTION), 1)
-    insert = soft_loft("seat_insert", "leather_dark", along(SEAT[2:9], INSERT, False), 1)
+    shell = soft_loft("seat", "leather", along(SEAT, SECTION), 2)
+    insert = soft_loft("seat_insert", "leather_dark", along(SEAT[2:9], INSERT, False), 2)
     strip = soft_loft("head_insert", "leather_dark", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 1)
     belt_path = [(.19, .80, -.50), (.17, .775, -.432), (.15, .66, -.365), (.10, .52, -.312), (-.02, .37, -.245), (-.16, .325, -.20), (-.215, .30, -.20)]
     belt = sweep("belt", "belt", belt_path, [(-.0015, -.022), (.0015, -.022), (.0015, .022), (-.0015, .022)], 30)
@@ -99,10 +99,12 @@ def bulkhead():
 
 
 def engine():
-    """What is seen of it between the slats of the lid."""
-    boxes = [box("engine", "trim_black", (0, .74, -1.20), (.34, .07, .66), .03), box("engine", "trim_black", (.20, .73, -1.20), (.09, .06, .60), .02),
-             box("engine", "trim_black", (-.20, .73, -1.20), (.09, .06, .60), .02)]
-    return [joined("engine", boxes)]
+    """What is seen of it between the slats of the lid: ribbed covers with a plenum between them, on a dark bed."""
+    bed = box("engine_bed", "trim_black", (0, .66, -1.20), (.78, .04, .80), .01)
+    plenum = [box("engine", "badge", (0, .765, -1.18), (.20, .07, .56), .025)]
+    plenum += [box("engine", "badge", (side * .15, .755, z), (.16, .035, .045), .016) for side in (-1, 1) for z in np.linspace(-1.40, -.96, 6)]
+    covers = [box("engine_covers", "caliper", (side * .265, .745, -1.18), (.11, .06, .58), .022) for side in (-1, 1)]
+    return [bed, joined("engine", plenum), joined("engine_covers", covers)]
 
 
 def all_parts():

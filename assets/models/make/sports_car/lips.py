@@ -8,13 +8,15 @@ from shapes import disk, oriented, sweep
 from shell import pair
 from surface import on_side
 
+# Where the beads of the front and the rear arch begin and end, in degrees from straight ahead over the top.
+TURNS = ((-29, 206), (-27, 199))
 # How far in the return of an arch reaches, where the liner begins.
 LINER = .94
 
 
-def arch(skin, z, y, radius):
+def arch(skin, turns, z, y, radius):
     """The bead along an arch, and the wall from it to the liner."""
-    turn = np.radians(np.linspace(-34, 214, 60))
+    turn = np.radians(np.linspace(*turns, 60))
     edge = np.array([on_side(skin, z + radius * np.cos(a), y + radius * np.sin(a), -.002) for a in turn])
     edge[1:-1] = (edge[:-2] + 2 * edge[1:-1] + edge[2:]) / 4
     bead = oriented(sweep("arch_lip", "paint", edge, disk(.0065, 8), 60))
@@ -34,7 +36,7 @@ def marker(skin, material, low, high, height):
 
 
 def all_parts(skin):
-    arches = [arch(skin, *a) for a in ARCHES]
+    arches = [arch(skin, turns, *a) for turns, a in zip(TURNS, ARCHES)]
     out = [joined("arch_lips", [bead for bead, _ in arches]), joined("arch_returns", [wall for _, wall in arches])]
     out += [marker(skin, "indicator", 1.80, 1.90, .400), marker(skin, "tail_reflector", -1.86, -1.75, .450)]
     return [p for part in out for p in pair(part)]
