@@ -53,7 +53,7 @@ def lower_edge(skin, low, high, height):
 
 def splitter(skin):
     """A blade of carbon under the front bumper."""
-    p = lower_edge(skin, 1.80, 3, .13)
+    p = lower_edge(skin, 1.69, 3, .16)
     p = p[np.argsort(p[:, 0])][:, [0, 2]]
     keep = [p[0]]
     for q in p[1:]:
@@ -63,7 +63,7 @@ def splitter(skin):
     t = np.gradient(p, axis=0)
     out = unit(np.stack([-t[:, 1], t[:, 0]], 1))
     out[0] = (0, 1)
-    grow = np.interp(p[:, 0], [0, .5, .80, .90], [.022, .020, .014, .004])[:, None]
+    grow = np.interp(p[:, 0], [0, .5, .80, .90], [.022, .020, .016, .008])[:, None]
     outer = p + out * grow
     inner = p - out * .05
     outline = np.concatenate([outer, inner[::-1], (inner * (-1, 1))[1:], (outer * (-1, 1))[::-1][:-1]])
