@@ -4,6 +4,7 @@ import numpy as np
 
 from cage import FRONT_AXLE, REAR_AXLE
 from fields import FRONT, SIDE, TOP, Outline, below, circle, curve, mirrored
+from weld import mend, weld
 
 ARCHES = ((FRONT_AXLE, .345, .370), (REAR_AXLE, .362, .389))
 GAP = .0105
@@ -135,8 +136,8 @@ def cut(skin):
     for _ in range(2):
         skin.coarsen()
     for _ in range(6):
-        skin.weld()
-    skin.mend()
+        weld(skin)
+    mend(skin)
 
 
 def cut_roughly(skin):
@@ -149,8 +150,8 @@ def cut_roughly(skin):
     for _ in range(2):
         skin.coarsen()
     for _ in range(4):
-        skin.weld()
-    skin.mend()
+        weld(skin)
+    mend(skin)
 
 
 nose_or_cowl = lambda t, l: t[0] == "top" and t[1] < 7 and t[2] < 4

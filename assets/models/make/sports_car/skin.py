@@ -2,24 +2,12 @@
 
 import numpy as np
 
-from edges import folded, rim
-from mesh import Part, area, face_normals, unit
+from edges import folded
+from mesh import Part, face_normals, unit, untwisted
 
 NEAR = 2.5e-4
-# What a line between regions may move when it is simplified.
-BEND = 7e-4
 # What a normal between two corners may differ from their mean.
 SHADED = .045
-
-
-def untwisted(points, normals, faces):
-    """The faces, with those of four corners that cross themselves as triangles that look where their normals do."""
-    out = []
-    for f in faces:
-        halves = [[f[0], f[1], f[2]], [f[0], f[2], f[3]]] if len(f) == 4 else [f]
-        looks = [area(points[h]) @ normals[h].sum(0) for h in halves]
-        out += [f] if min(looks) > 0 else [h if look > 0 else h[::-1] for h, look in zip(halves, looks)]
-    return out
 
 
 class Skin:
@@ -172,100 +160,6 @@ class Skin:
             order.append(parent)
         self.order = order
         self.faces, self.tags, self.labels, self.parents = faces, tags, labels, parents
-
-    def borders(self):
-        """Of each corner the regions about it; of each edge the regions on its sides; of corners on lines between regions, the next ones."""
-        around, sides = {}, {}
-        for f, l in zip(self.faces, self.labels):
-            for a, b in zip(f, f[1:] + f[:1]):
-                around.setdefault(a, set()).add(l)
-                sides.setdefault((min(a, b), max(a, b)), []).append(l)
-        lines = {}
-        for (a, b), labels in sides.items():
-            if len(set(labels)) == 2:
-                lines.setdefault(a, []).append(b)
-                lines.setdefault(b, []).append(a)
-        return around, sides, lines
-
-    def weld(self, shorter=.0075, straight=.03):
-        """Collapses short edges, towards the corner where more regions meet, so that no line between regions moves. Along such a
-        line edges are joined up to the length `straight`, where it bends by nothing that is seen."""
-        around, sides, lines = self.borders()
-
-        def bends(drop, keep):
-            """How far a corner of a line lies from the edge that would take its place."""
-            ends = lines.get(drop, [])
-            if len(ends) != 2 or len(around[drop]) != 2 or keep not in ends or ends[0] in busy or ends[1] in busy:
-                return np.inf
-            a, b = self.points[ends]
-            t = np.clip((self.points[drop] - a) @ (b - a) / max((b - a) @ (b - a), 1e-12), 0, 1)
-            return np.linalg.norm(self.points[drop] - a - t * (b - a))
-
-        holders = {}
-        for k, f in enumerate(self.faces):
-            for v in f:
-                holders.setdefault(v, []).append(k)
-
-        goal, busy = {}, set()
-
-        def turns(drop, keep):
-            """Whether a face would be folded over."""
-            for k in holders[drop]:
-                row = [goal.get(v, v) for v in self.faces[k]]
-                moved = [keep if v == drop else v for v in row]
-                moved = [v for i, v in enumerate(moved) if v != moved[i - 1]]
-                if len(set(moved)) > 2 and area(self.points[moved]) @ area(self.points[row]) < 0:
-                    return True
-            return False
-
-        for (a, b), labels in sides.items():
-            if a in busy or b in busy:
-                continue
-            length = np.linalg.norm(self.points[a] - self.points[b])
-            if shorter < length < straight and bends(b, a) < BEND and not turns(b, a):
-                goal[b] = a
-                busy |= {*lines[b], b}
-                continue
-            if length > shorter:
-                continue
-            if len(labels) < 2 or (self.points[a, 0] == 0) != (self.points[b, 0] == 0):
-                continue
-            m, n = len(around[a]), len(around[b])
-            if m == n and m > 1 and len(set(labels)) < 2:
-                continue
-            keep, drop = (a, b) if m >= n else (b, a)
-            if turns(drop, keep):
-                continue
-            goal[drop] = keep
-            for f in (a, b):
-                busy.add(f)
-        rows = []
-        for f in self.faces:
-            g = [goal.get(v, v) for v in f]
-            rows.append([v for i, v in enumerate(g) if v != g[i - 1]])
-        good = [k for k, f in enumerate(rows) if len(f) > 2 and len(set(f)) == len(f)]
-        for name in ("labels", "tags", "parents", "order"):
-            setattr(self, name, [getattr(self, name)[k] for k in good])
-        self.faces = [rows[k] for k in good]
-
-    def mend(self, longest=6):
-        """Fills the holes of a few edges that collapsing others left."""
-        after = {}
-        for a, b in rim(self.points, self.faces):
-            after.setdefault(b, []).append(a)
-        side = {(a, b): k for k, f in enumerate(self.faces) for a, b in zip(f, f[1:] + f[:1])}
-        done = set()
-        for start in sorted(after):
-            loop = [start]
-            while len(loop) <= longest and len(after.get(loop[-1], ())) == 1 and after[loop[-1]][0] not in loop:
-                loop.append(after[loop[-1]][0])
-            if len(loop) < 3 or len(loop) > longest or after.get(loop[-1]) != [start] or done & set(loop):
-                continue
-            done |= set(loop)
-            near = side[loop[1], loop[0]]
-            self.faces.append(loop)
-            for row in (self.labels, self.tags, self.parents, self.order):
-                row.append(row[near])
 
     def flat(self, four, exactly):
         """Whether the larger face is shaded like the four, so that no crease blurs; `exactly`: and the middles of the edges and the centre lie
