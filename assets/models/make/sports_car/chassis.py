@@ -99,7 +99,7 @@ def mirrors():
     """A shell that tapers ahead, on a short wing, with a pane."""
     x, y, z = .968, .850, .650
     rings = []
-    for t, half, height in ((0, .100, .047), (.10, .107, .053), (.38, .106, .053), (.68, .092, .043), (.88, .062, .027), (1, .022, .009)):
+    for t, half, height in ((0, .100, .047), (.10, .107, .053), (.38, .106, .053), (.68, .098, .047), (.90, .080, .037), (1, .052, .022)):
         u, v = squared(half, height, .5, lean=.20)
         rings.append(np.stack([x + u - .050 * t ** 1.5, y + v - .016 * t, z + .150 * t + .018 * (-u / .1) * (1 - .5 * t)], 1))
     shell = soft_loft("mirror", "paint", rings, 1)

@@ -115,7 +115,8 @@ def cut(skin):
     skin.region("intake_blade", lambda p: np.abs(p[:, 1] - .565 + .14 * (p[:, 2] + .68)) - .013, pick(side, "intake"))
     skin.panel("handle", Outline(HANDLE, SIDE, .012), side, .004, ("door",))
     skin.region("skirt", lambda p: p[:, 1] - (.178 + .012 * np.clip(-p[:, 2], 0, 1)), lambda t, l: side(t, l) and l in ("body", "door") and 3 < t[1] < 13)
-    skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
+    skin.region("bonnet_vent_frame", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
+    skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet_vent_frame"), -.008)
     for name, (outline, bars) in MOUTHS.items():
         hole = Outline(outline, FRONT, .03)
         if name == "outer_intake":

@@ -95,8 +95,8 @@ def mouths(skin):
 def openings(skin):
     """Meshes, walls and darkness behind the other holes."""
     out = mouths(skin)
-    frame = skin.part("intake_frame", "gloss_black", {"intake_frame"}, offset=-.002, fold=.01)
-    out += pair(frame)
+    for name in ("intake_frame", "bonnet_vent_frame"):
+        out += pair(skin.part(name, "gloss_black", {name}, offset=-.002, fold=.01))
     out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=.001, fold=.07, lip=.004))
     out += pair(skin.part("vent_blades", "gloss_black", {"vent_blade"}, offset=-.004, fold=.02, lip=.003))
     for name, depth, axes, back, ahead in (("vent", .025, (0, 1), .06, (0, 0, 1.0)), ("intake", .075, (2, 1), .13, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
