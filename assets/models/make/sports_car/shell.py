@@ -67,8 +67,8 @@ def linings(rough):
     cabin = lambda t: t[0] == "top" and 5 < t[1] < 12 and t[2] < 3
     doors = lambda t: (t[0] == "side" and 5 < t[1] < 11 and t[2] < 8) or (t[0] == "top" and 5 < t[1] < 11 and t[2] in (3, 4))
     engine = lambda t: t[0] == "top" and 11 < t[1] < 15 and t[2] < 2
-    lining = rough.part("lining", "lining", {"body"}, offset=-.018, pick=cabin)
-    posts = rough.part("post_lining", "trim_black", {"pillar", *(w + e for w in ("windscreen", "side_window", "quarter") for e in ("_frit", "_seal"))}, offset=-.018, pick=cabin)
+    lining = rough.part("lining", "lining", {"body"}, offset=-.031, pick=cabin)
+    posts = rough.part("post_lining", "trim_black", {"pillar", *(w + e for w in ("windscreen", "side_window", "quarter") for e in ("_frit", "_seal"))}, offset=-.031, pick=cabin)
     cards = rough.part("door_cards", "leather", {"body"}, offset=-.05, pick=doors)
     bay = rough.part("lid_inside", "gap_black", {"body"}, offset=-.045, pick=engine)
     tail = rough.part("tail_mesh", "grille_fine", {"between_lamps"}, offset=-.062, pick=lambda t: t[0] == "rear" and t[2] < 2)
