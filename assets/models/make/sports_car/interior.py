@@ -5,6 +5,8 @@ import numpy as np
 from mesh import Part, joined, unit
 from shapes import box, lathe, oriented, plate, soft_loft, sweep, tube, turned
 
+# How far all of it stands ahead of where its numbers have it.
+FORWARD = .175
 # Path of a seat's middle: y, z, width, how deep the bolsters are.
 SEAT = ((.245, .235, .78, .3), (.278, .10, .98, .9), (.262, -.05, 1.0, 1.0), (.262, -.17, 1.0, .9), (.315, -.275, 1.0, .9), (.42, -.325, 1.0, 1.1),
         (.55, -.375, 1.02, 1.25), (.68, -.43, 1.0, 1.1), (.765, -.468, .78, .6), (.80, -.483, .52, .3), (.93, -.525, .46, .2), (.955, -.537, .34, .1))
@@ -25,8 +27,8 @@ def along(path, section, scale_depth=True):
 
 
 def seat(x, word):
-    shell = soft_loft("seat", "leather", along(SEAT, SECTION), 1)
-    insert = soft_loft("seat_insert", "leather_dark", along(SEAT[2:9], INSERT, False), 1)
+    shell = soft_loft("seat", "leather", along(SEAT, SECTION), 2)
+    insert = soft_loft("seat_insert", "leather_dark", along(SEAT[2:9], INSERT, False), 2)
     strip = soft_loft("head_insert", "leather_dark", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 1)
     belt_path = [(.19, .80, -.50), (.17, .775, -.432), (.15, .66, -.365), (.10, .52, -.312), (-.02, .37, -.245), (-.16, .325, -.20), (-.215, .30, -.20)]
     belt = sweep("belt", "belt", belt_path, [(-.0015, -.022), (.0015, -.022), (.0015, .022), (-.0015, .022)], 30)
@@ -90,13 +92,21 @@ def console():
 def bulkhead():
     wall = box("bulkhead", "leather_dark", (0, .46, -.605), (1.62, .70, .04), .01)
     shelf = box("parcel_shelf", "alcantara", (0, .80, -.75), (1.30, .02, .36), .008)
-    carpet = plate("carpet", "carpet", [(-.86, -.60), (.86, -.60), (.86, .86), (-.86, .86)], .135, .15)
-    toe = box("toe_board", "carpet", (0, .40, .86), (1.5, .56, .03), .01)
-    engine = [box("engine", "trim_black", (0, .74, -1.24), (.34, .07, .66), .03), box("engine", "trim_black", (.20, .73, -1.24), (.09, .06, .60), .02),
-              box("engine", "trim_black", (-.20, .73, -1.24), (.09, .06, .60), .02)]
-    glass_mirror = [box("inner_mirror", "trim_black", (0, 1.035, .10), (.21, .055, .025), .012), box("inner_mirror", "trim_black", (0, 1.072, .10), (.02, .06, .015), .005)]
-    return [wall, shelf, carpet, toe, joined("engine", engine), joined("inner_mirror", glass_mirror)]
+    carpet = plate("carpet", "carpet", [(-.86, -.60), (.86, -.60), (.86, .74), (.56, .74), (.56, .86), (-.56, .86), (-.56, .74), (-.86, .74)], .135, .15)
+    toe = box("toe_board", "carpet", (0, .40, .86), (1.12, .56, .03), .01)
+    glass_mirror = [box("inner_mirror", "trim_black", (0, 1.015, .10), (.21, .055, .025), .012), box("inner_mirror", "trim_black", (0, 1.048, .10), (.02, .05, .015), .005)]
+    return [wall, shelf, carpet, toe, joined("inner_mirror", glass_mirror)]
+
+
+def engine():
+    """What is seen of it between the slats of the lid: ribbed covers with a plenum between them, on a dark bed."""
+    bed = box("engine_bed", "trim_black", (0, .66, -1.20), (.78, .04, .80), .01)
+    plenum = [box("engine", "badge", (0, .765, -1.18), (.20, .07, .56), .025)]
+    plenum += [box("engine", "badge", (side * .15, .755, z), (.16, .035, .045), .016) for side in (-1, 1) for z in np.linspace(-1.40, -.96, 6)]
+    covers = [box("engine_covers", "caliper", (side * .265, .745, -1.18), (.11, .06, .58), .022) for side in (-1, 1)]
+    return [bed, joined("engine", plenum), joined("engine_covers", covers)]
 
 
 def all_parts():
-    return seat(.37, "left") + seat(-.37, "right") + dashboard() + steering() + console() + bulkhead()
+    parts = seat(.37, "left") + seat(-.37, "right") + dashboard() + steering() + console() + bulkhead()
+    return [part.moved(by=(0, 0, FORWARD)) for part in parts] + engine()

@@ -1,21 +1,22 @@
-"""Rolled edges of the wheel arches and the side intake, which hide the bare edge of the sheet, and what returns behind them; side markers."""
+"""Rolled edges of the wheel arches, which hide the bare edge of the sheet, and what returns behind them; side markers."""
 
 import numpy as np
 
-from fields import fillet
 from mesh import joined, smooth
-from panels import ARCHES, INTAKE
+from panels import ARCHES
 from shapes import disk, oriented, sweep
 from shell import pair
 from surface import on_side
 
+# Where the beads of the front and the rear arch begin and end, in degrees from straight ahead over the top.
+TURNS = ((-29, 206), (-27, 199))
 # How far in the return of an arch reaches, where the liner begins.
 LINER = .94
 
 
-def arch(skin, z, y, radius):
+def arch(skin, turns, z, y, radius):
     """The bead along an arch, and the wall from it to the liner."""
-    turn = np.radians(np.linspace(-34, 214, 60))
+    turn = np.radians(np.linspace(*turns, 60))
     edge = np.array([on_side(skin, z + radius * np.cos(a), y + radius * np.sin(a), -.002) for a in turn])
     edge[1:-1] = (edge[:-2] + 2 * edge[1:-1] + edge[2:]) / 4
     bead = oriented(sweep("arch_lip", "paint", edge, disk(.0065, 8), 60))
@@ -28,15 +29,6 @@ def arch(skin, z, y, radius):
     return bead, wall if wall.normals[wall.corners[0][0]] @ inwards > 0 else wall.flipped()
 
 
-def intake(skin):
-    """The bead around the side intake."""
-    outline = fillet(INTAKE, .03, 4)
-    path = np.array([on_side(skin, z, y, .0005) for z, y in outline])
-    for _ in range(2):
-        path = (np.roll(path, 1, 0) + 2 * path + np.roll(path, -1, 0)) / 4
-    return oriented(sweep("intake_lip", "paint", path, disk(.0075, 8), 60, closed=True))
-
-
 def marker(skin, material, low, high, height):
     """A slim lens along the flank, between two z."""
     path = np.array([on_side(skin, z, height, .001) for z in np.linspace(low, high, 6)])
@@ -44,7 +36,7 @@ def marker(skin, material, low, high, height):
 
 
 def all_parts(skin):
-    arches = [arch(skin, *a) for a in ARCHES]
-    out = [joined("arch_lips", [bead for bead, _ in arches]), joined("arch_returns", [wall for _, wall in arches]), intake(skin)]
+    arches = [arch(skin, turns, *a) for turns, a in zip(TURNS, ARCHES)]
+    out = [joined("arch_lips", [bead for bead, _ in arches]), joined("arch_returns", [wall for _, wall in arches])]
     out += [marker(skin, "indicator", 1.80, 1.90, .400), marker(skin, "tail_reflector", -1.86, -1.75, .450)]
     return [p for part in out for p in pair(part)]

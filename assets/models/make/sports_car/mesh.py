@@ -85,6 +85,16 @@ def face_normals(points, faces):
     return np.array([area(points[f]) for f in faces])
 
 
+def untwisted(points, normals, faces):
+    """The faces, with those of four corners that cross themselves as triangles that look where their normals do."""
+    out = []
+    for f in faces:
+        halves = [[f[0], f[1], f[2]], [f[0], f[2], f[3]]] if len(f) == 4 else [f]
+        looks = [area(points[h]) @ normals[h].sum(0) for h in halves]
+        out += [f] if min(looks) > 0 else [h if look > 0 else h[::-1] for h, look in zip(halves, looks)]
+    return out
+
+
 def smooth(name, material, points, faces, angle=35.0, uvs=None, uv_corners=None):
     """A part whose normals are smooth where faces meet by less than `angle` degrees."""
     points = np.asarray(points, float)

@@ -3,9 +3,10 @@
 import numpy as np
 
 from cage import FRONT_AXLE, REAR_AXLE
-from fields import FRONT, SIDE, TOP, Outline, circle, curve, mirrored
+from fields import FRONT, SIDE, TOP, Outline, below, circle, curve, mirrored
+from weld import mend, weld
 
-ARCHES = ((FRONT_AXLE, .335, .360), (REAR_AXLE, .348, .379))
+ARCHES = ((FRONT_AXLE, .345, .370), (REAR_AXLE, .362, .389))
 GAP = .0105
 
 side = lambda t, l: t[0] == "side"
@@ -21,42 +22,43 @@ house = lambda t, l: t[0] == "top" and 5 < t[1] < 13 and t[2] in (1, 2)
 roof = lambda t, l: t[0] == "top" and 5 < t[1] < 13 and t[2] < 2
 deck = lambda t, l: t[0] == "top" and t[1] > 9 and t[2] < 4
 
-WINDSCREEN = mirrored([(0, .918), (.16, .908), (.30, .878), (.42, .835), (.52, .765), (.552, .70), (.556, .55), (.545, .38), (.522, .20),
-                       (.500, .07), (.30, .105), (0, .118)])
-SIDE_WINDOW = [*curve([(.675, .797), (.52, .850), (.30, .934), (.05, 1.018), (-.15, 1.060), (-.36, 1.068), (-.515, 1.048)], 4),
-               *curve([(-.588, .838), (-.40, .820), (-.10, .806), (.30, .793), (.60, .789)], 4)]
-QUARTER = [*curve([(-.556, 1.036), (-.68, .994), (-.79, .946), (-.862, .912)], 4), (-.822, .862), (-.632, .846)]
+WINDSCREEN = mirrored([(0, 1.108), (.16, 1.098), (.30, 1.068), (.42, 1.025), (.52, .955), (.552, .890), (.556, .740), (.545, .570), (.522, .390),
+                       (.500, .260), (.30, .295), (0, .308)])
+SIDE_WINDOW = [*curve([(.845, .797), (.690, .850), (.470, .934), (.220, 1.018), (.020, 1.060), (-.190, 1.068), (-.345, 1.048)], 4),
+               *curve([(-.418, .838), (-.230, .820), (.070, .806), (.470, .793), (.770, .789)], 4)]
+QUARTER = [*curve([(-.386, 1.036), (-.510, .994), (-.620, .946), (-.692, .912)], 4), (-.652, .862), (-.462, .846)]
 # Black around both side windows, so that they look like one.
-DAYLIGHT = [*curve([(.70, .786), (.52, .860), (.30, .944), (.05, 1.028), (-.15, 1.071), (-.36, 1.079), (-.52, 1.060), (-.70, 1.000), (-.885, .914)], 4),
-            *curve([(-.832, .850), (-.64, .834), (-.40, .809), (-.10, .796), (.30, .783), (.60, .778)], 4)]
-REAR_WINDOW = mirrored([(0, -.60), (.34, -.615), (.375, -.66), (.335, -.93), (.30, -.955), (0, -.955)])
-LID = mirrored([(0, -.565), (.39, -.585), (.445, -.70), (.40, -1.00), (.37, -1.40), (.40, -1.74), (.36, -1.80), (0, -1.80)])
-BONNET = mirrored([(0, 2.09), (.35, 2.07), (.52, 1.985), (.575, 1.80), (.555, 1.45), (.575, 1.10), (.60, .985), (.45, .965), (.20, .985), (0, .99)])
-BONNET_VENT = [(.205, 1.50), (.365, 1.60), (.425, 1.53), (.395, 1.37), (.235, 1.40)]
+DAYLIGHT = [*curve([(.870, .786), (.690, .860), (.470, .944), (.220, 1.028), (.020, 1.071), (-.190, 1.079), (-.350, 1.060), (-.530, 1.000), (-.715, .914)], 4),
+            *curve([(-.662, .850), (-.470, .834), (-.230, .809), (.070, .796), (.470, .783), (.770, .778)], 4)]
+REAR_WINDOW = mirrored([(0, -.420), (.34, -.435), (.375, -.480), (.335, -.750), (.30, -.775), (0, -.775)])
+LID = mirrored([(0, -.385), (.39, -.405), (.445, -.52), (.405, -.90), (.375, -1.35), (.405, -1.74), (.365, -1.80), (0, -1.80)])
+BONNET = mirrored([(0, 2.09), (.35, 2.07), (.52, 1.985), (.575, 1.82), (.56, 1.53), (.58, 1.24), (.60, 1.14), (.45, 1.135), (.20, 1.16), (0, 1.168)])
+BONNET_VENT = [(.135, 1.600), (.395, 1.690), (.445, 1.650), (.432, 1.585), (.165, 1.510)]
 LAMP = [(.600, 2.045), (.655, 1.93), (.735, 1.80), (.800, 1.715), (.852, 1.672), (.868, 1.735), (.858, 1.86), (.815, 1.955), (.72, 2.035), (.64, 2.075)]
-DOOR = [(.865, 1.4), (.865, .74), (.900, .62), (.895, .42), (.83, .25), (.76, .195), (-.40, .195), (-.50, .25), (-.545, .40), (-.585, .60), (-.62, .76), (-.62, 1.4)]
-INTAKE = [(-.618, .700), (-.700, .722), (-.860, .690), (-.895, .640), (-.872, .500), (-.800, .345), (-.735, .330), (-.690, .420), (-.655, .545)]
+DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .42), (.85, .25), (.78, .195), (-.22, .195), (-.31, .25), (-.36, .40), (-.405, .60), (-.45, .78), (-.45, 1.4)]
+INTAKE = [(-.470, .672), (-.560, .700), (-.790, .706), (-.862, .660), (-.848, .530), (-.775, .385), (-.690, .352), (-.600, .420), (-.520, .540)]
 BUMPER = [(1.2, .455), (1.72, .462), (1.90, .505), (2.05, .515), (2.20, .545), (2.7, .53), (2.7, -.5), (1.2, -.5)]
 REAR_BUMPER = [(-1.2, .60), (-1.72, .60), (-1.90, .598), (-2.7, .585), (-2.7, -.5), (-1.2, -.5)]
-CENTRE_INTAKE = mirrored([(0, .385), (.30, .382), (.375, .345), (.43, .185), (.41, .165), (0, .160)])
-OUTER_INTAKE = [(.505, .180), (.575, .360), (.66, .405), (.865, .425), (.890, .345), (.872, .185)]
+CENTRE_INTAKE = mirrored([(0, .300), (.36, .306), (.475, .270), (.535, .180), (.510, .152), (0, .152)])
+OUTER_INTAKE = [(.610, .165), (.635, .265), (.700, .370), (.775, .415), (.868, .435), (.893, .385), (.884, .240), (.850, .172)]
 # Of each intake of the nose: its outline and the heights of its bars.
-MOUTHS = {"centre_intake": (CENTRE_INTAKE, (.235, .310)), "outer_intake": (OUTER_INTAKE, (.255, .330))}
+MOUTHS = {"centre_intake": (CENTRE_INTAKE, (.228,)), "outer_intake": (OUTER_INTAKE, (.235,))}
 # How wide the frame of such an intake is, and how deep it leads.
-FRAME, FUNNEL = .030, .034
-TAIL_PANEL = mirrored([(0, .800), (.55, .795), (.80, .768), (.822, .735), (.80, .665), (.55, .628), (0, .628)])
-TAIL_LAMP = [(.435, .780), (.62, .776), (.785, .754), (.805, .730), (.790, .672), (.62, .644), (.475, .644)]
-PLATE = [(-.265, .455), (.265, .455), (.265, .575), (-.265, .575)]
-DIFFUSER = mirrored([(0, .40), (.50, .395), (.60, .33), (.66, .05), (0, .05)])
-VENT = [(.66, .33), (.70, .43), (.83, .46), (.85, .40), (.83, .345)]
-HANDLE = [(-.30, .672), (-.475, .690), (-.49, .672), (-.47, .655), (-.31, .641)]
-LOUVRES = 7
+FRAME, FUNNEL = .022, .040
+TAIL_PANEL = mirrored([(0, .812), (.55, .808), (.80, .778), (.826, .738), (.80, .655), (.55, .624), (0, .624)])
+# How wide and how deep the slope is that leads to what lies in it.
+TAIL_FRAME, TAIL_DEPTH = .026, .042
+TAIL_LAMP = [(.425, .783), (.62, .778), (.775, .752), (.796, .730), (.782, .674), (.62, .651), (.465, .651)]
+DIFFUSER = mirrored([(0, .492), (.285, .492), (.335, .462), (.575, .455), (.655, .385), (.66, .05), (0, .05)])
+VENT = [(.735, .410), (.715, .520), (.735, .552), (.858, .572), (.868, .545), (.852, .440), (.835, .415)]
+HANDLE = [(-.165, .705), (-.325, .722), (-.340, .707), (-.322, .692), (-.175, .679)]
+LOUVRES = 9
 
 
 def louvre(k):
     """The outline of slat k of the engine lid."""
     pitch = .096
-    z = -1.045 - k * pitch
+    z = -.850 - k * pitch
     wide = lambda z: .500 + .03 * np.clip((z + 1.05) / -.7, 0, 1) - .05 * np.sin(np.pi * np.clip((z + 1.05) / -.7, 0, 1))
     a, b = z, z - pitch * .72
     return Outline(mirrored([(0, a), (wide(a), a - .008), (wide(b), b - .008), (0, b)]), TOP, (0, .012, .012, 0, .012, .012))
@@ -68,7 +70,7 @@ def fine(tag):
     if patch == "front":
         return i >= 2
     if patch == "rear":
-        return j < 2 or i > 2
+        return True
     if patch == "side":
         return 5 < i < 13 and j < 8 or i > 14
     return (i < 4 and j > 2) or (5 < i < 13 and j in (1, 2)) or i > 14 or (i > 11 and j == 1) or (i in (6, 7) and j < 3)
@@ -104,32 +106,39 @@ def cut(skin):
     skin.region("rear_window_seal", glass, pick(deck, "lid"))
     skin.region("rear_window_frit", glass, pick(deck, "rear_window_seal"), -.007)
     skin.region("rear_window", glass, pick(deck, "rear_window_frit"), -.028)
-    skin.region("louvre_field", Outline(mirrored([(0, -1.03), (.355, -1.035), (.325, -1.2), (.32, -1.4), (.375, -1.715), (0, -1.715)]), TOP, .02), pick(deck, "lid"))
+    skin.region("louvre_field", Outline(mirrored([(0, -.835), (.365, -.840), (.335, -1.05), (.325, -1.35), (.375, -1.715), (0, -1.715)]), TOP, .02), pick(deck, "lid"))
     for k in range(LOUVRES):
         skin.region("slat%d" % k, louvre(k), pick(deck, "louvre_field"))
     skin.panel("flap", circle((-.985, .772), .058), flank, GAP * .8)
     skin.region("intake_frame", Outline(INTAKE, SIDE, .03), pick(side, "body"))
     skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)
+    skin.region("intake_blade", lambda p: np.abs(p[:, 1] - .565 + .14 * (p[:, 2] + .68)) - .013, pick(side, "intake"))
     skin.panel("handle", Outline(HANDLE, SIDE, .012), side, .004, ("door",))
     skin.region("skirt", lambda p: p[:, 1] - (.178 + .012 * np.clip(-p[:, 2], 0, 1)), lambda t, l: side(t, l) and l in ("body", "door") and 3 < t[1] < 13)
-    skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
+    skin.region("bonnet_vent_frame", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
+    skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet_vent_frame"), -.008)
     for name, (outline, bars) in MOUTHS.items():
         hole = Outline(outline, FRONT, .03)
+        if name == "outer_intake":
+            wing = lambda p: np.maximum(hole(p), np.abs(p[:, 1] - .325 - .16 * (p[:, 0] - .75)) - .012)
+            skin.region("outer_wing", wing, pick(face, "bumper"))
         skin.region(name + "_frame", hole, pick(face, "bumper"), FRAME)
         skin.region(name, hole, pick(face, name + "_frame"))
         for y in bars:
             skin.region(name + "_bar", lambda p: np.abs(p[:, 1] - y - .05 * (p[:, 0] > .45) * (p[:, 0] - .45)) - .006, pick(face, name))
     panel = Outline(TAIL_PANEL, FRONT, .02)
-    skin.region("tail_panel", panel, lambda t, l: tail_wide(t, l) and l in ("body",))
+    skin.region("tail_frame", panel, lambda t, l: tail_wide(t, l) and l in ("body",))
+    skin.region("tail_panel", panel, pick(tail_wide, "tail_frame"), -TAIL_FRAME)
     skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .02), pick(tail_wide, "tail_panel"))
-    skin.panel("plate", Outline(PLATE, FRONT, .012), tail, .004, ("tail_bumper",))
     skin.region("diffuser", Outline(DIFFUSER, FRONT, .03), pick(tail_wide, "tail_bumper"))
     skin.region("vent", Outline(VENT, FRONT, .02), pick(tail_wide, "tail_bumper"))
+    for y in (.462, .512):
+        skin.region("vent_blade", lambda p: np.abs(p[:, 1] - y - .08 * (p[:, 0] - .79)) - .006, pick(tail_wide, "vent"))
     for _ in range(2):
         skin.coarsen()
     for _ in range(6):
-        skin.weld()
-    skin.mend()
+        weld(skin)
+    mend(skin)
 
 
 def cut_roughly(skin):
@@ -137,11 +146,13 @@ def cut_roughly(skin):
     skin.within = .006
     windows(skin)
     skin.region("rear_window", Outline(REAR_WINDOW, TOP, .03), lambda t, l: deck(t, l) and l == "body")
+    skin.region("between_lamps", Outline([(-.1, .60), (.46, .60), (.46, .81), (-.1, .81)], FRONT), lambda t, l: t[0] == "rear")
+    skin.region("behind_doors", below(2, -.42), lambda t, l: l == "body" and (t[0] == "side" or t[2] > 2))
     for _ in range(2):
         skin.coarsen()
     for _ in range(4):
-        skin.weld()
-    skin.mend()
+        weld(skin)
+    mend(skin)
 
 
 nose_or_cowl = lambda t, l: t[0] == "top" and t[1] < 7 and t[2] < 4

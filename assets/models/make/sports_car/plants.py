@@ -125,6 +125,11 @@ def tufts():
     for _ in range(1300):
         z, x = rng.uniform(-40, 34), WALL - 1 - 16 * rng.random() ** 1.5
         add(x, rise(x, z), z, rng.uniform(.10, .26), rng.uniform(.2, .42))
+    # Low ones, as a meadow has them everywhere; they thin out where the picture of grass does alone.
+    for _ in range(8000):
+        away = 1 + 38 * rng.random() ** 1.4
+        z, x = rng.uniform(-30 - 1.2 * away, 26 + 1.2 * away), WALL - away
+        add(x, rise(x, z), z, rng.uniform(.07, .17), rng.uniform(.22, .50))
     return [cards.part("tufts", "blades")]
 
 

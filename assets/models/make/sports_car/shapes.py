@@ -86,6 +86,13 @@ def disk(radius, steps=12, squash=1.0):
     return np.stack([radius * np.cos(turn), radius * squash * np.sin(turn)], 1)
 
 
+def squared(half, height, power, steps=16, lean=0.0):
+    """A rounded rectangle, a little higher on its outer side by `lean`."""
+    turn = np.arange(steps) * 2 * np.pi / steps
+    c, s = np.cos(turn), np.sin(turn)
+    return np.sign(c) * np.abs(c) ** power * half, np.sign(s) * np.abs(s) ** power * height * (1 + lean * c)
+
+
 def tube(name, material, path, radius, steps=12, closed=False):
     return sweep(name, material, path, disk(radius, steps), 50.0, closed)
 

@@ -5,7 +5,6 @@ import numpy as np
 from mesh import joined
 from fields import FRONT, Outline
 from panels import FRAME, FUNNEL, LOUVRES, MOUTHS
-from shapes import plate
 
 PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "lid", "flap")
 
@@ -43,8 +42,8 @@ def panels(skin):
     planar(out[-1], (2, 1), 30)
     slats = []
     for k in range(LOUVRES):
-        start = -1.045 - k * .096
-        lift = lambda p: .012 * ((start - p[:, 2]) / .069) - .016 * (1 - (start - p[:, 2]) / .069)
+        start = -.850 - k * .096
+        lift = lambda p: .003 * ((start - p[:, 2]) / .069) - .024 * (1 - (start - p[:, 2]) / .069)
         slats.append(skin.part("slat", "paint", {"slat%d" % k}, offset=lift, fold=.007, lip=.002))
     out.append(both(joined("louvres", slats)))
     field = {"louvre_field"} | {"slat%d" % k for k in range(LOUVRES)}
@@ -68,11 +67,11 @@ def linings(rough):
     cabin = lambda t: t[0] == "top" and 5 < t[1] < 12 and t[2] < 3
     doors = lambda t: (t[0] == "side" and 5 < t[1] < 11 and t[2] < 8) or (t[0] == "top" and 5 < t[1] < 11 and t[2] in (3, 4))
     engine = lambda t: t[0] == "top" and 11 < t[1] < 15 and t[2] < 2
-    lining = rough.part("lining", "lining", {"body"}, offset=-.018, pick=cabin)
-    posts = rough.part("post_lining", "trim_black", {"pillar", *(w + e for w in ("windscreen", "side_window", "quarter") for e in ("_frit", "_seal"))}, offset=-.018, pick=cabin)
+    lining = rough.part("lining", "lining", {"body"}, offset=-.031, pick=cabin)
+    posts = rough.part("post_lining", "trim_black", {"pillar", *(w + e for w in ("windscreen", "side_window", "quarter") for e in ("_frit", "_seal"))}, offset=-.031, pick=cabin)
     cards = rough.part("door_cards", "leather", {"body"}, offset=-.05, pick=doors)
     bay = rough.part("lid_inside", "gap_black", {"body"}, offset=-.045, pick=engine)
-    tail = rough.part("tail_mesh", "grille_fine", {"body"}, offset=-.024, pick=lambda t: t[0] == "rear" and t[2] < 2)
+    tail = rough.part("tail_mesh", "grille_fine", {"between_lamps"}, offset=-.062, pick=lambda t: t[0] == "rear" and t[2] < 2)
     mouth = lambda t: t[0] == "front"
     mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, offset=-.085, pick=mouth)), (0, 1), 14)
     dark = both(rough.part("intake_back", "gap_black", {"body"}, offset=-.15, pick=mouth))
@@ -90,33 +89,21 @@ def mouths(skin):
                skin.part(name + "_walls", "trim_black", {name, name + "_bar"}, offset=-FUNNEL, fold=.14, lip=.004, walls=True)]
         for part in row:
             out += [both(part)] if name == "centre_intake" else pair(part)
-    return out
-
-
-def fins(skin):
-    """Three blades across the side intake, which rise to the front."""
-    hole = skin.part("intake", "gap_black", {"intake"}).points
-    blades = []
-    for y in (.455, .545, .630):
-        line = lambda z: y + .22 * (z + .76)
-        near = hole[np.abs(hole[:, 1] - line(hole[:, 2])) < .05]
-        low, high = near[:, 2].min() - .004, near[:, 2].max() + .004
-        x = near[:, 0].min() - .018
-        outline = [(z, line(z) + h) for z, h in ((low, -.004), (high, -.004), (high, .004), (low, .004))]
-        blades.append(plate("intake_fins", "gloss_black", outline, x - .05, x, axes=(2, 1), up=0))
-    return joined("intake_fins", blades)
+    return out + pair(skin.part("outer_wings", "paint", {"outer_wing"}, fold=.06, lip=.004))
 
 
 def openings(skin):
     """Meshes, walls and darkness behind the other holes."""
     out = mouths(skin)
-    frame = skin.part("intake_frame", "gloss_black", {"intake_frame"}, offset=-.002, fold=.01)
-    out += pair(frame) + pair(fins(skin))
+    for name in ("intake_frame", "bonnet_vent_frame"):
+        out += pair(skin.part(name, "gloss_black", {name}, offset=-.002, fold=.01))
+    out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=.001, fold=.07, lip=.004))
+    out += pair(skin.part("vent_blades", "gloss_black", {"vent_blade"}, offset=-.004, fold=.02, lip=.003))
     for name, depth, axes, back, ahead in (("vent", .025, (0, 1), .06, (0, 0, 1.0)), ("intake", .075, (2, 1), .13, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
         push = lambda d: (lambda p, n: p + np.array(ahead) * d)
-        out += pair(skin.part(name + "_walls", "trim_black", {name}, fold=back, lip=.004, walls=True))
-        out += pair(planar(skin.part(name + "_mesh", "grille", {name}, shift=push(depth)), axes, 14))
-        out += pair(skin.part(name + "_back", "gap_black", {name}, shift=push(back)))
+        out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, fold=back, lip=.004, walls=True))
+        out += pair(planar(skin.part(name + "_mesh", "grille", {name, name + "_blade"}, shift=push(depth)), axes, 14))
+        out += pair(skin.part(name + "_back", "gap_black", {name, name + "_blade"}, shift=push(back)))
     return out
 
 

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from edges import folded, rim
-from mesh import Part, area, face_normals, unit
+from edges import folded
+from mesh import Part, face_normals, unit, untwisted
 
 NEAR = 2.5e-4
-# What a line between regions may move when it is simplified.
-BEND = 7e-4
+# What a normal between two corners may differ from their mean.
+SHADED = .045
 
 
 class Skin:
@@ -130,7 +130,7 @@ class Skin:
         for p, ks in groups.items():
             ks.sort(key=lambda k: self.order[k])
             if len(ks) == 4 and len({self.labels[k] for k in ks}) == 1 and all(len(self.faces[k]) == 4 for k in ks) and choose(self.tags[ks[0]]):
-                if p[0] == 1 or self.flat([self.faces[k] for k in ks]):
+                if self.flat([self.faces[k] for k in ks], p[0] > 1):
                     whole[p] = ks
         joined = {k for ks in whole.values() for k in ks}
         used = {v for k, f in enumerate(self.faces) if k not in joined for v in f}
@@ -161,102 +161,14 @@ class Skin:
         self.order = order
         self.faces, self.tags, self.labels, self.parents = faces, tags, labels, parents
 
-    def borders(self):
-        """Of each corner the regions about it; of each edge the regions on its sides; of corners on lines between regions, the next ones."""
-        around, sides = {}, {}
-        for f, l in zip(self.faces, self.labels):
-            for a, b in zip(f, f[1:] + f[:1]):
-                around.setdefault(a, set()).add(l)
-                sides.setdefault((min(a, b), max(a, b)), []).append(l)
-        lines = {}
-        for (a, b), labels in sides.items():
-            if len(set(labels)) == 2:
-                lines.setdefault(a, []).append(b)
-                lines.setdefault(b, []).append(a)
-        return around, sides, lines
-
-    def weld(self, shorter=.0075, straight=.03):
-        """Collapses short edges, towards the corner where more regions meet, so that no line between regions moves. Along such a
-        line edges are joined up to the length `straight`, where it bends by nothing that is seen."""
-        around, sides, lines = self.borders()
-
-        def bends(drop, keep):
-            """How far a corner of a line lies from the edge that would take its place."""
-            ends = lines.get(drop, [])
-            if len(ends) != 2 or len(around[drop]) != 2 or keep not in ends or ends[0] in busy or ends[1] in busy:
-                return np.inf
-            a, b = self.points[ends]
-            t = np.clip((self.points[drop] - a) @ (b - a) / max((b - a) @ (b - a), 1e-12), 0, 1)
-            return np.linalg.norm(self.points[drop] - a - t * (b - a))
-
-        holders = {}
-        for k, f in enumerate(self.faces):
-            for v in f:
-                holders.setdefault(v, []).append(k)
-
-        goal, busy = {}, set()
-
-        def turns(drop, keep):
-            """Whether a face would be folded over."""
-            for k in holders[drop]:
-                row = [goal.get(v, v) for v in self.faces[k]]
-                moved = [keep if v == drop else v for v in row]
-                moved = [v for i, v in enumerate(moved) if v != moved[i - 1]]
-                if len(set(moved)) > 2 and area(self.points[moved]) @ area(self.points[row]) < 0:
-                    return True
+    def flat(self, four, exactly):
+        """Whether the larger face is shaded like the four, so that no crease blurs; `exactly`: and the middles of the edges and the centre lie
+        on it, as far as `within` says."""
+        a, b = self.normals[[f[0] for f in four]], self.normals[[f[1] for f in four]]
+        if np.abs(b - (a + np.roll(a, -1, 0)) / 2).max() > SHADED:
             return False
-
-        for (a, b), labels in sides.items():
-            if a in busy or b in busy:
-                continue
-            length = np.linalg.norm(self.points[a] - self.points[b])
-            if shorter < length < straight and bends(b, a) < BEND and not turns(b, a):
-                goal[b] = a
-                busy |= {*lines[b], b}
-                continue
-            if length > shorter:
-                continue
-            if len(labels) < 2 or (self.points[a, 0] == 0) != (self.points[b, 0] == 0):
-                continue
-            m, n = len(around[a]), len(around[b])
-            if m == n and m > 1 and len(set(labels)) < 2:
-                continue
-            keep, drop = (a, b) if m >= n else (b, a)
-            if turns(drop, keep):
-                continue
-            goal[drop] = keep
-            for f in (a, b):
-                busy.add(f)
-        rows = []
-        for f in self.faces:
-            g = [goal.get(v, v) for v in f]
-            rows.append([v for i, v in enumerate(g) if v != g[i - 1]])
-        good = [k for k, f in enumerate(rows) if len(f) > 2 and len(set(f)) == len(f)]
-        for name in ("labels", "tags", "parents", "order"):
-            setattr(self, name, [getattr(self, name)[k] for k in good])
-        self.faces = [rows[k] for k in good]
-
-    def mend(self, longest=6):
-        """Fills the holes of a few edges that collapsing others left."""
-        after = {}
-        for a, b in rim(self.points, self.faces):
-            after.setdefault(b, []).append(a)
-        side = {(a, b): k for k, f in enumerate(self.faces) for a, b in zip(f, f[1:] + f[:1])}
-        done = set()
-        for start in sorted(after):
-            loop = [start]
-            while len(loop) <= longest and len(after.get(loop[-1], ())) == 1 and after[loop[-1]][0] not in loop:
-                loop.append(after[loop[-1]][0])
-            if len(loop) < 3 or len(loop) > longest or after.get(loop[-1]) != [start] or done & set(loop):
-                continue
-            done |= set(loop)
-            near = side[loop[1], loop[0]]
-            self.faces.append(loop)
-            for row in (self.labels, self.tags, self.parents, self.order):
-                row.append(row[near])
-
-    def flat(self, four):
-        """Whether the middles of the edges and the centre lie on the larger face, as far as `within` says."""
+        if not exactly:
+            return True
         c = self.points[[f[0] for f in four]]
         e = self.points[[f[1] for f in four]]
         bent = np.abs(e - (c + np.roll(c, -1, 0)) / 2).max()
@@ -265,10 +177,10 @@ class Skin:
     def faces_of(self, labels, pick=None):
         return [f for f, l, t in zip(self.faces, self.labels, self.tags) if l in labels and (pick is None or pick(t))]
 
-    def part(self, name, material, labels, offset=0.0, fold=0.0, lip=0.0015, shift=None, pick=None, walls=False):
+    def part(self, name, material, labels, offset=0.0, fold=0.0, lip=0.0015, shift=None, pick=None, walls=False, into=None):
         """The faces of some labels, moved along their normals by `offset` (a number, or a function of positions), with
         edges turned in by `fold`; `shift(points, normals)` may move them anywhere. With `walls`, there is nothing but
-        the edges, seen from inside."""
+        the edges, seen from inside. `into`: a direction in which offset (then negative) and edges go instead of along the normals."""
         faces = self.faces_of(labels, pick)
         index = {}
         for f in faces:
@@ -278,13 +190,15 @@ class Skin:
         n = self.normals[ids]
         p = self.points[ids]
         off = offset(p) if callable(offset) else offset
-        p = p + n * np.reshape(off, (-1, 1) if np.ndim(off) else (1, 1))
+        out = n if into is None else -unit(np.broadcast_to(np.asarray(into, float), n.shape))
+        p = p + out * np.reshape(off, (-1, 1) if np.ndim(off) else (1, 1))
         if shift is not None:
             p = shift(p, n)
         faces = [[index[v] for v in f] for f in faces]
         if not fold:
-            return Part(name, material, p, faces, n)
-        extra = folded(p, n, faces, fold, lip)
+            return Part(name, material, p, untwisted(p, n, faces), n)
+        extra = folded(p, out, faces, fold, lip)
+        faces = untwisted(p, n, faces)
         if walls:
             return Part(name, material, np.concatenate([p, extra[0]]), extra[1], np.concatenate([n, extra[2]]), extra[3]).flipped()
         return Part(name, material, np.concatenate([p, extra[0]]), faces + extra[1],

@@ -111,7 +111,7 @@ def crown(draw, rng, at, wide, high, tone, width):
     for _ in range(70):
         a, r = rng.random() * 6.28, np.sqrt(rng.random())
         heap = at[0] + wide * r * np.cos(a), at[1] - high * r * np.sin(a)
-        light = .72 + .38 * r * np.sin(a) + rng.uniform(-.12, .12)
+        light = .74 + .30 * r * np.sin(a) + rng.uniform(-.16, .16)
         for _ in range(16):
             x, y = heap + rng.normal(0, .10 * wide + 1.5, 2)
             s, g = rng.uniform(.9, 2.4), light * rng.uniform(.75, 1.25)
@@ -123,14 +123,14 @@ def crown(draw, rng, at, wide, high, tone, width):
 def treeline(width, height, seed):
     """The edge of a wood over a ground that is dark to the foot, with a ragged top cut out by alpha."""
     rng = np.random.default_rng(seed)
-    tones = ((58, 76, 40), (70, 84, 40), (50, 68, 42), (84, 86, 44))
+    tones = ((57, 74, 40), (63, 79, 40), (52, 69, 40), (70, 80, 42))
     picture = Image.new("RGBA", (width, height), (44, 58, 32, 0))
     draw = ImageDraw.Draw(picture)
     draw.rectangle((0, height * .72, width, height), fill=(30, 40, 22, 255))
-    for row, count in ((.42, 20), (.58, 24), (.76, 30)):
+    for row, count in ((.42, 25), (.56, 31), (.68, 36), (.80, 44)):
         for x in rng.permutation(count):
-            wide = rng.uniform(.75, 1.35) * width / count * .72
-            high = min(wide * rng.uniform(.8, 1.25), height * row * .80)
+            wide = rng.uniform(.50, 1.60) * width / count * .76
+            high = min(wide * rng.uniform(.9, 1.8), height * row * .80)
             at = (x + rng.uniform(.2, .8)) * width / count, height * row + rng.normal(0, 7)
             draw.rectangle((at[0] - 2, at[1], at[0] + 2, height), fill=(30, 36, 22, 255))
             crown(draw, rng, at, wide, high, tones[rng.integers(4)], width)

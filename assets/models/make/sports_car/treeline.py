@@ -16,7 +16,8 @@ def strip(away, height, skip, long):
     # Here and there it is lower, and one sees the hills.
     tall = height * (1 + .22 * np.sin(z * .11 + away)) * (1 - .6 * np.exp(-((z + 62) / 16) ** 2)) * (1 - .5 * np.exp(-((z - 48) / 12) ** 2))
     points = np.concatenate([np.stack([x, foot, z], 1), np.stack([x - .1 * tall, foot + tall, z], 1)])
-    uvs = [(b / long + skip, v) for v in (0, 1) for b in z]
+    # Short of the upper edge, beyond which the picture begins again with the ground.
+    uvs = [(b / long + skip, v) for v in (.01, .96) for b in z]
     n = len(z)
     faces = [[k + 1, k, n + k, n + k + 1] for k in range(n - 1)]
     lean = np.sin(z * .5 + away) * .5

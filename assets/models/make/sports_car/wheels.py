@@ -7,8 +7,8 @@ from mesh import joined, smooth
 from shapes import lathe, oriented, turned
 
 # Half of the width, radius of the tyre, radius of the rim's edge.
-FRONT_WHEEL = (.1225, .327, .2475)
-REAR_WHEEL = (.1525, .3455, .260)
+FRONT_WHEEL = (.1225, .340, .2595)
+REAR_WHEEL = (.1575, .357, .271)
 
 
 def tyre(half, radius, rim):
@@ -129,6 +129,17 @@ def brake(half, rim, big):
     return out, caliper
 
 
+def settled(part):
+    """A tyre that the car's weight presses flat on the road, and out at its sides."""
+    part = part.copy()
+    x, y = part.points[:, 0], part.points[:, 1]
+    middle = (x.min() + x.max()) / 2
+    low = np.clip((.075 - y) / .075, 0, 1) ** 2
+    part.points[:, 0] += np.sign(x - middle) * .007 * low * (np.abs(x - middle) > .09)
+    part.points[:, 1] = np.maximum(y, .0004 + .012 * np.maximum(y + .008, 0))
+    return part
+
+
 def wheel(kind, name, at, side, steer=0.0):
     """All parts of a wheel; `side` 1 is the left."""
     half, radius, rim = kind
@@ -140,13 +151,14 @@ def wheel(kind, name, at, side, steer=0.0):
     out = []
     for part in parts:
         part = part if side > 0 else part.mirrored()
-        out.append(part.moved(turned(1, steer), at, name + "_" + part.name))
+        part = part.moved(turned(1, steer), at, name + "_" + part.name)
+        out.append(settled(part) if part.material == "tyre" else part)
     return out
 
 
 def wheels():
     out = []
     for side, word in ((1, "left"), (-1, "right")):
-        out += wheel(FRONT_WHEEL, "front_" + word, (side * .846, .327, 1.325), side)
-        out += wheel(REAR_WHEEL, "rear_" + word, (side * .824, .3455, -1.325), side)
+        out += wheel(FRONT_WHEEL, "front_" + word, (side * .864, .334, 1.325), side)
+        out += wheel(REAR_WHEEL, "rear_" + word, (side * .842, .351, -1.325), side)
     return out
