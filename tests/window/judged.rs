@@ -63,8 +63,8 @@ fn edits_are_judged_while_nobody_needs_the_device() {
     let mut person = Person::judging("700x300");
     let title = || person.display.title(person.window);
     await_some(person.process.id(), "some samples", || title().contains(" spp").then_some(()));
+    let alone = person.see("a picture", |look| brightness(look) > 60.0);
     person.display.key(F2);
-    let first = person.see("the first picture", |look| brightness(look) > 60.0);
 
     let moves = |key: char, from: &Screenshot| {
         let began = Instant::now();
@@ -72,9 +72,15 @@ fn edits_are_judged_while_nobody_needs_the_device() {
         person.see("another view", |look| look.difference(from) > 3.0);
         began.elapsed()
     };
-    let open = person.see("the panel", |look| look.difference(&first) > 3.0);
-    let usual = moves('f', &open);
+    // The picture is narrower from then on.
+    person.see("the panel", |look| look.difference(&alone) > 3.0);
+    let usual = moves('f', &person.look());
     moves('1', &person.look());
+    let spp = || title().split_once(": ").and_then(|(_, rest)| rest.split(' ').next()?.parse::<u32>().ok());
+    // The title follows within a second.
+    std::thread::sleep(Duration::from_secs(1));
+    await_some(person.process.id(), "a fine picture", || (spp()? > 8).then_some(()));
+    let first = person.look();
 
     // Right: the same number by another way. Kernels are compiled for it first, which no hand can interrupt on this device.
     replace(&person, SURFACE, WEIGHT, "vec3<f32>(0.0), 0.5 * (m.kd + m.kd), at.pdf");
@@ -102,7 +108,7 @@ fn edits_are_judged_while_nobody_needs_the_device() {
 
     // A click on the first row, which is the last of the list.
     let stderr = || std::fs::read_to_string(person.folder.path().join("stderr")).unwrap();
-    for y in (60..240).rev().step_by(8) {
+    for y in (60..190).rev().step_by(8) {
         if stderr().contains("what the window opened with runs again") {
             break;
         }
