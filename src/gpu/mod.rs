@@ -22,7 +22,7 @@ pub use compiler::Compiler;
 pub use device::{AdapterSummary, Gpu, adapters};
 pub use entry::{checked_entry, features_of};
 pub use error::GpuError;
-pub use picture::Fit;
+pub use picture::{Fit, Placement};
 pub use runtime::Runtime;
 pub use surface::{Drawn, Paint, Surface, Target};
 pub use table::{GpuTable, TableRow};
