@@ -22,7 +22,7 @@ pub use mesh::MeshExtent;
 pub use report::Report;
 
 use crate::components::{self, Camera, Film, Render};
-use crate::gpu::{Code, Drawn, Fit, Gpu, Paint, Runtime, Surface};
+use crate::gpu::{Code, Drawn, Gpu, Paint, Placement, Runtime, Surface};
 use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription, SceneText};
 use crate::shader::{Library, Parameter};
@@ -256,12 +256,11 @@ impl Engine {
         debug::read_debug(&self.world)
     }
 
-    /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it. `place` is how it lies on
-    /// so many pixels from the window's top left.
-    pub fn draw(&self, surface: &mut Surface, place: (Fit, UVec2), paint: Paint) -> Result<Drawn, EngineError> {
+    /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.
+    pub fn draw(&self, surface: &mut Surface, placement: Placement, paint: Paint) -> Result<Drawn, EngineError> {
         // Of a film that starts anew there is nothing yet, or what a step left that failed.
         let size = film::progress(&self.world).shown.map(|_| self.window_size());
-        Ok(surface.draw(&self.world.resource::<Device>().0, size, place, paint)?)
+        Ok(surface.draw(&self.world.resource::<Device>().0, size, placement, paint)?)
     }
 
     /// Runs the schedule once: takes up changes, and adds samples for about `budget`.

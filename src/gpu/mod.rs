@@ -1,10 +1,13 @@
 //! Device, buffers, pipelines, the player of recordings, and a window's surface: the only code that talks to wgpu.
 
 mod buffers;
+mod code;
+mod compiler;
 mod device;
 mod entry;
 mod error;
 mod picture;
+mod pipeline;
 mod pipelines;
 mod player;
 mod room;
@@ -14,11 +17,12 @@ mod table;
 mod timing;
 
 pub use buffers::Buffers;
+pub use code::{Code, Values};
+pub use compiler::Compiler;
 pub use device::{AdapterSummary, Gpu, adapters};
 pub use entry::{checked_entry, features_of};
 pub use error::GpuError;
-pub use picture::Fit;
-pub use pipelines::{Code, Compiler, Values};
+pub use picture::{Fit, Placement};
 pub use runtime::Runtime;
 pub use surface::{Drawn, Paint, Surface, Target};
 pub use table::{GpuTable, TableRow};

@@ -33,6 +33,14 @@ impl Fit {
     }
 }
 
+/// How the picture lies on the window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    pub fit: Fit,
+    /// The pixels that it has, from the window's top left.
+    pub area: UVec2,
+}
+
 /// The pipeline, and a copy of the last picture: a film has none from when it starts anew until a step succeeds.
 pub(super) struct PictureDrawing {
     pipeline: wgpu::RenderPipeline,
@@ -71,15 +79,10 @@ impl PictureDrawing {
         on_large_stack(|| gpu.guarded("the pipeline that draws the picture", make))
     }
 
-    /// Says what is drawn next on so many pixels of the window: the `picture` buffer, if it holds a picture, of the size `shown`; else the
+    /// Says what is drawn next: the `picture` buffer, if it holds a picture, of the size `shown`; else the
     /// last one, in its own shape.
-    pub fn bind(
-        &self,
-        gpu: &Gpu,
-        runtime: &Runtime,
-        shown: Option<UVec2>,
-        (fit, area): (Fit, UVec2),
-    ) -> wgpu::BindGroup {
+    pub fn bind(&self, gpu: &Gpu, runtime: &Runtime, shown: Option<UVec2>, placement: Placement) -> wgpu::BindGroup {
+        let Placement { fit, area } = placement;
         let picture = shown.and_then(|size| Some((runtime.buffer("picture")?, size, fit)));
         let (picture, size, fit) = picture.unwrap_or((&self.last, self.last_size, Fit::Letterbox));
         let (origin, extent) = fit.place(size, area);

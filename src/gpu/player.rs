@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use super::pipelines::{Pipeline, Pipelines};
+use super::pipeline::Pipeline;
+use super::pipelines::Pipelines;
 use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError};
 use crate::passes::{Access, Call, Recording, Size};

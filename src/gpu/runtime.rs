@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::pipelines::{Code, Compiler, Pipelines, Values};
+use super::code::{Code, Values};
+use super::compiler::Compiler;
+use super::pipelines::Pipelines;
 use super::player::{PARAMS, Player, Stage};
 use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError, PassTiming};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::UVec2;
 
 use super::picture::PictureDrawing;
-use super::{Fit, Gpu, GpuError, Runtime, device};
+use super::{Gpu, GpuError, Placement, Runtime, device};
 use crate::shader::Library;
 
 /// A window to draw on, of any window library.
@@ -89,13 +89,13 @@ impl Surface {
         self.gpu.guarded("the window's surface", || self.surface.configure(&self.gpu.device, &self.configuration))
     }
 
-    /// Draws a frame and presents it: the runtime's `picture`, of the size `shown`, or the last one where there is none. `place` is how it
-    /// lies on so many pixels from the top left; `paint` may cover the rest.
+    /// Draws a frame and presents it: the runtime's `picture`, of the size `shown`, or the last one where there is none. `paint` may
+    /// cover what `placement` leaves.
     pub fn draw(
         &mut self,
         runtime: &Runtime,
         shown: Option<UVec2>,
-        place: (Fit, UVec2),
+        placement: Placement,
         mut paint: Paint,
     ) -> Result<Drawn, GpuError> {
         // Taken up whether or not there is a frame: egui sends each texture once, and asserts that none is dropped.
@@ -108,7 +108,7 @@ impl Surface {
         let drawn = match self.frame()? {
             Some(frame) => {
                 let suboptimal = frame.suboptimal;
-                self.encode(&frame.texture, runtime, shown, place, &paint)?;
+                self.encode(&frame.texture, runtime, shown, placement, &paint)?;
                 self.gpu.queue.present(frame.texture);
                 if suboptimal {
                     self.configure()?;
@@ -146,7 +146,7 @@ impl Surface {
         texture: &wgpu::SurfaceTexture,
         runtime: &Runtime,
         shown: Option<UVec2>,
-        place: (Fit, UVec2),
+        placement: Placement,
         paint: &Paint,
     ) -> Result<(), GpuError> {
         let (gpu, size) = (self.gpu.clone(), self.size());
@@ -154,7 +154,7 @@ impl Surface {
             egui_wgpu::ScreenDescriptor { size_in_pixels: size.to_array(), pixels_per_point: paint.pixels_per_point };
         gpu.guarded("a frame", || {
             let view = texture.texture.create_view(&Default::default());
-            let bound = self.picture.bind(&gpu, runtime, shown, place);
+            let bound = self.picture.bind(&gpu, runtime, shown, placement);
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             let mut commands =
                 self.ui.update_buffers(&gpu.device, &gpu.queue, &mut encoder, &paint.primitives, &screen);

@@ -1,4 +1,4 @@
-//! One file a phase of the schedule.
+//! One file or folder a phase of the schedule.
 //!
 //! `Reload -> Extract -> Upload -> Build -> Trace -> Accumulate -> Present -> Submit`. Each system runs only where it has something to
 //! do: extraction by change detection, which compares values too, so that an edit that changes nothing resets nothing; each

@@ -2,7 +2,7 @@
 //!
 //! A [`worker`] thread waits for the [`watcher`] and reads what changed; threads that nobody joins link, validate and compile it
 //! ([`compile`]); the picture goes on meanwhile. What came of it is [`News`], which the engine puts in place, all or nothing
-//! (`systems/reload.rs`).
+//! (`systems/reload/`).
 
 mod assets;
 mod compile;

@@ -1,9 +1,10 @@
 //! Moving a camera: what each motion keeps, and that every camera can be written to a scene file.
 
 use glam::{DVec2, DVec3};
-use lucerna::app::window::navigate::{distance, fly, focus, frame, orbit, pan, to_ron, zoom};
+use lucerna::app::window::navigate::{distance, fly, focus, frame, orbit, pan, zoom};
 use lucerna::components::{Camera, Focus, Lens};
 use lucerna::scene;
+use lucerna::scene::edit::camera_line;
 
 /// Cameras of several scenes: level, from above, far away, of another up.
 fn cameras() -> Vec<Camera> {
@@ -168,7 +169,7 @@ fn the_line_of_a_camera_reads_back_exactly() {
     let mut moved = cameras();
     moved.extend(cameras().iter().map(|camera| orbit(pan(*camera, DVec2::new(0.123, 0.456)), DVec2::new(1.1, 0.3))));
     for camera in moved {
-        let line = to_ron("a \"quoted\" one", &camera);
+        let line = camera_line("a \"quoted\" one", &camera);
         assert_eq!(line.lines().count(), 1);
         std::fs::write(&path, format!("(cameras: {{ {line} }})")).unwrap();
         let loaded = scene::load(&path, &[]).unwrap_or_else(|error| panic!("{line}: {error}"));

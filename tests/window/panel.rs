@@ -40,7 +40,7 @@ impl Section {
             let (world, edited) = (&mut self.world, &mut self.edited);
             let output = self
                 .context
-                .run_ui(input, |ui| *edited |= materials::show(ui, world, None, None, std::path::Path::new("")));
+                .run_ui(input, |ui| *edited |= materials::show(ui, world, None, None, std::path::Path::new("")).moved);
             self.shapes = output.shapes;
             for command in output.platform_output.commands {
                 if let OutputCommand::CopyText(text) = command {

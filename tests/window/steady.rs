@@ -10,9 +10,9 @@ use glam::UVec2;
 use lucerna::Engine;
 use lucerna::app::edits::{Edit, Kind, Lint, State, Verdict};
 use lucerna::app::window::edits::record::Record;
-use lucerna::app::window::panel::Panel;
 use lucerna::app::window::panel::curve::{Decades, power};
 use lucerna::app::window::panel::edits::EditsShown;
+use lucerna::app::window::panel::{Panel, PanelContext};
 use lucerna::layout::view::ViewMode;
 use lucerna::shader::Library;
 
@@ -61,8 +61,12 @@ impl Drawn {
         for events in [events, Vec::new(), Vec::new()] {
             let input = RawInput { screen_rect, events, ..RawInput::default() };
             let (panel, engine) = (&mut self.panel, &mut self.engine);
-            let saved = EditsShown { record: &self.record, automatic: true, rests: false };
-            let show = |ui: &mut egui::Ui| _ = panel.show(ui, engine, (&camera, 1.0), None, (None, &saved));
+            let record = &self.record;
+            let show = |ui: &mut egui::Ui| {
+                let edits = EditsShown { record, automatic: true, rests: false };
+                let (camera, scene_size) = (&camera, 1.0);
+                panel.show(ui, engine, PanelContext { camera, scene_size, family: None, selected: None, edits });
+            };
             shapes = self.context.run_ui(input, show).shapes;
         }
         shapes

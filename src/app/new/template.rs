@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use crate::app::window::navigate::to_ron;
 use crate::components::{Camera, Daylight, Environment, Film, Render, ShaderValues};
 use crate::scene::{SceneDescription, edit};
 
@@ -48,7 +47,7 @@ pub fn scene(model: &str, (name, camera): (&str, &Camera), alone: &SceneDescript
          // A lamp: a point, W/sr.\n    \
          // lights: {{ \"lamp\": Point(position: {}, intensity: {}) }},\n\
          {})\n",
-        to_ron(name, camera),
+        edit::camera_line(name, camera),
         vector(rounded_to(camera.position, scale_of(camera))),
         number(4.0 * (camera.position - camera.look_at).length_squared()),
         materials(alone),
@@ -77,7 +76,7 @@ fn materials(alone: &SceneDescription) -> String {
     );
     for (key, material) in &alone.materials {
         let name = key.split_once(':').map_or(key.as_str(), |(_, name)| name);
-        let line = format!("        // {name:?}: {},", edit::material(material, None));
+        let line = format!("        // {}", edit::material_line(name, material, None));
         let kind = format!("  // {}", material.appearance().kind);
         text += &line;
         text += if line.len() + kind.len() <= WIDE { &kind } else { "" };

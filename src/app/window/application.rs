@@ -10,8 +10,9 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::window::{Window, WindowId};
 
 use super::dock;
+use super::opening::Opening;
 use super::reason::reason;
-use super::session::{Opening, Session};
+use super::session::Session;
 use crate::app::shared::interrupt::end;
 use crate::app::shared::output;
 use crate::app::{Exit, Failure};

@@ -3,23 +3,14 @@
 use std::time::{Duration, Instant};
 
 use super::cameras;
-use super::legend;
-use super::mark;
-use super::panel::Outcome;
-use super::panel::edits::{EditsAction, EditsShown};
 use super::screen::physical_size;
 use super::session::Session;
 use super::tracing::Rest;
 use crate::app::shared::failure::rendered;
-use crate::components::Camera;
-use crate::engine::{EngineError, Progress};
-use crate::gpu::Drawn;
+use crate::engine::EngineError;
 
 /// Sizes of the scene a second, at full speed.
 const FLIGHT_SPEED: f64 = 0.3;
-
-/// Time between two changes of the title.
-const TITLE: Duration = Duration::from_millis(500);
 
 impl Session {
     /// One frame: takes up what changed, traces for a while, draws.
@@ -166,92 +157,5 @@ impl Session {
         let standing = self.engine.problems();
         let texts = standing.iter().map(|problem| rendered(&*problem.diagnostic, false));
         self.overlay.problems = self.failures.texts().cloned().chain(texts).collect();
-    }
-
-    /// Draws the picture there is, and what lies over it.
-    fn draw(&mut self) -> Result<(), EngineError> {
-        let begin = Instant::now();
-        let (fit, area) = (self.fit(), self.area());
-        let name = self.name().to_owned();
-        let mark = self.mark();
-        let (view, size) = (self.viewpoint.camera, self.scene_size());
-        let Session { screen, engine, overlay, panel, judgement, edits, members, thumbs, selected, .. } = self;
-        let mut outcome = Outcome::default();
-        let (paint, again) = screen.run_ui(|ui| {
-            if panel.open {
-                let family = members.as_ref().map(|members| (members, name.as_str(), &mut *thumbs));
-                let saved = EditsShown::of(edits, judgement);
-                outcome.add(panel.show(ui, engine, (&view, size), family, (selected.as_deref(), &saved)));
-            }
-            if let Some(mark) = &mark {
-                mark::draw(ui.ctx(), ui.available_rect_before_wrap(), mark);
-            }
-            if !panel.open
-                && let Some(legend) = legend::legend(engine.view(), engine.view_reach(), &engine.material_names())
-            {
-                legend::draw::over(ui.ctx(), ui.available_rect_before_wrap(), legend);
-            }
-            overlay.show(ui.ctx(), ui.available_rect_before_wrap(), judgement.line());
-        });
-        self.activity.redraw = screen.draw(engine, (fit, area), paint)? == Drawn::Later;
-        // Else the next step would take the time of drawing for that of its samples.
-        self.gpu.wait()?;
-        self.follow_panel(outcome);
-        // egui says by the longest of times that it wants nothing.
-        self.activity.ui_again = begin.checked_add(again).filter(|_| again < Duration::from_secs(3600));
-        self.set_title();
-        Ok(())
-    }
-
-    /// Goes on from what was done in the panel.
-    fn follow_panel(&mut self, outcome: Outcome) {
-        let now = Instant::now();
-        if outcome.moved {
-            self.tracing.pace.moved(now);
-        }
-        if outcome.edited || outcome.moved {
-            self.touch(now);
-            self.step_aside();
-            self.wake_film();
-        }
-        if let Some(lens) = outcome.lens {
-            self.set_view(Camera { lens, ..self.viewpoint.camera }, now);
-        }
-        if let Some(name) = outcome.camera {
-            self.choose_camera(&name, now);
-        }
-        if outcome.save {
-            self.save_edits();
-        }
-        if let Some(said) = outcome.said {
-            self.notify(said);
-        }
-        if let Some(name) = outcome.member {
-            self.choose_member(&name);
-        }
-        match outcome.edits {
-            Some(EditsAction::GoBack(row)) => self.go_back_to(row),
-            Some(EditsAction::Judge(on)) => self.set_automatic(on),
-            None => {}
-        }
-    }
-
-    /// Says in the title how far the film is, twice a second and when it is finished.
-    fn set_title(&mut self) {
-        let Some(progress) = self.tracing.progress else { return };
-        if !progress.finished && self.titled.is_some_and(|at| at.elapsed() < TITLE) {
-            return;
-        }
-        self.titled = Some(Instant::now());
-        let Progress { spp, target, .. } = progress;
-        let name = self.place_of(self.name());
-        let of = if self.engine.is_endless() { String::new() } else { format!(" of {target}") };
-        let rest = match self.tracing.rest {
-            Some(Rest::Paused) => ", paused",
-            Some(Rest::Fine) => ", as fine as 8 bits show",
-            None if self.judgement.has_device() => ", rests while the edit is judged",
-            None => "",
-        };
-        self.window.set_title(&format!("{name}: {spp}{of} spp{rest} (F1 for keys) - Lucerna"));
     }
 }

@@ -13,6 +13,7 @@ use crate::app::shared::failure::show;
 use crate::app::shared::output;
 use crate::components::{Camera, Film};
 use crate::engine::EngineError;
+use crate::scene::edit;
 use crate::scene::settings::MOST_STOPS;
 
 /// The nearest that zooming comes to its target, and the farthest that it goes, in sizes of the scene.
@@ -143,7 +144,7 @@ impl Session {
 
     fn print_camera(&mut self) {
         let Some((name, _)) = self.engine.camera() else { return };
-        let line = navigate::to_ron(&name, &self.viewpoint.camera);
+        let line = edit::camera_line(&name, &self.viewpoint.camera);
         self.screen.copy(line.clone());
         match output::write(&format!("{line}\n")) {
             Ok(()) => self.notify("the camera is on the clipboard, and was printed to the terminal".to_owned()),

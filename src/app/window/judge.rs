@@ -1,6 +1,6 @@
 //! The window's session judging an edit that a user asks for: begin, show what was found, end.
 
-use super::judgement::Place;
+use super::judging::Place;
 use super::pace;
 use super::session::Session;
 use crate::app::edits::State;

@@ -1,16 +1,13 @@
 //! The edit that is judged: asked for by a key, or by itself while nothing else needs the device; and what was found so far.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use glam::UVec2;
-use winit::event_loop::EventLoopProxy;
 
 use super::edits::record::RowId;
-use super::judging::{Ending, Judging};
+use super::judging::{Ending, Judging, Place};
 use crate::app::edits::Verdict;
 use crate::components::Film;
-use crate::gpu::Gpu;
 use crate::scene::SceneDescription;
 use crate::shader::Library;
 
@@ -32,17 +29,6 @@ struct Current {
     /// A user asked for it, and has it over the picture.
     asked: bool,
     paused: bool,
-}
-
-/// Where judging is done.
-pub struct Place {
-    pub gpu: Arc<Gpu>,
-    pub scene: SceneDescription,
-    /// Tracing between two looks at whether it is to step aside.
-    pub batch: Duration,
-    /// At most, without those of rest.
-    pub seconds: f64,
-    pub wake: EventLoopProxy<()>,
 }
 
 impl Judgement {
@@ -85,8 +71,8 @@ impl Judgement {
     /// Has a row judged, by the shaders before it and its own, in place of any other.
     pub fn start(&mut self, of: RowId, sides: [Library; 2], place: Place, asked: bool) {
         self.end();
-        let Place { gpu, scene, batch, seconds, wake } = place;
-        let judging = Judging::start(gpu, sides, scene.clone(), (batch, seconds), wake);
+        let scene = place.scene.clone();
+        let judging = Judging::start(sides, place);
         self.current = Some(Current { of, judging, scene, asked, paused: false });
     }
 

@@ -19,8 +19,23 @@ use crate::shader::Library;
 /// What is said before there are films.
 const COMPILING: &str = "judging: compiling both";
 
+/// What is said before there are films enough.
+const UNTOLD: &str = "nothing can be told yet";
+
 /// Between two messages of how far it is: each has the window drawn.
 const REPORT: Duration = Duration::from_millis(500);
+
+/// Where judging is done.
+pub struct Place {
+    pub gpu: Arc<Gpu>,
+    pub scene: SceneDescription,
+    /// Tracing between two looks at whether it is to step aside.
+    pub batch: Duration,
+    /// Seconds at most, without those of rest.
+    pub seconds: f64,
+    /// Called whenever there is something to take.
+    pub wake: EventLoopProxy<()>,
+}
 
 /// What the thread sends.
 enum Message {
@@ -52,22 +67,16 @@ pub struct Judging {
 }
 
 impl Judging {
-    /// Starts to judge, for so many seconds at most, by batches of about some time. `wake` is called whenever there is something to take.
-    pub fn start(
-        gpu: Arc<Gpu>,
-        sides: [Library; 2],
-        scene: SceneDescription,
-        (batch, seconds): (Duration, f64),
-        wake: EventLoopProxy<()>,
-    ) -> Self {
+    /// Starts to judge new shaders by the old ones, which are the first of `sides`.
+    pub fn start(sides: [Library; 2], place: Place) -> Self {
         let control = Control::default();
         let (sender, messages) = channel();
-        let (exposure, told) = (scene.film.exposure, control.clone());
+        let (exposure, told) = (place.scene.film.exposure, control.clone());
         let thread = std::thread::spawn(move || {
-            if let Err(error) = judge(&gpu, &sides, &scene, (told, batch, seconds), &sender, &wake) {
+            if let Err(error) = judge(&sides, &place, told, &sender) {
                 let _ = sender.send(Message::Failed(error));
             }
-            let _ = wake.send_event(());
+            let _ = place.wake.send_event(());
         });
         Self {
             messages,
@@ -127,29 +136,6 @@ impl Judging {
         !messages.is_empty()
     }
 
-    fn split_picture(&self, analysis: &Analysis, [old, new]: &[Vec<[f32; 3]>; 2]) -> Vec<[u8; 4]> {
-        let [old, new] = [old, new].map(|picture| marked(picture, analysis.size, self.scale, &analysis.means));
-        [old, new].concat()
-    }
-}
-
-/// What is said before there are films enough.
-const UNTOLD: &str = "nothing can be told yet";
-
-/// How far it is in few words.
-fn progress(films: usize, found: &str, line: &str) -> Verdict {
-    Verdict { state: State::Judging, short: format!("judging: {films} films; {found}"), line: line.to_owned() }
-}
-
-fn state_of(analysis: &Analysis) -> State {
-    match analysis.verdict {
-        judge::Verdict::Differ => State::Differ,
-        judge::Verdict::Agree(_) => State::Agree,
-        judge::Verdict::CannotTell(_) => State::CannotTell,
-    }
-}
-
-impl Judging {
     /// Lets it rest from the next batch on, or go on.
     pub fn rest(&self, on: bool) {
         self.control.pause.set(on);
@@ -158,6 +144,11 @@ impl Judging {
     /// Ends it, without waiting for the thread: that may compile for a while yet.
     pub fn end(mut self) -> Option<JoinHandle<()>> {
         self.thread.take()
+    }
+
+    fn split_picture(&self, analysis: &Analysis, [old, new]: &[Vec<[f32; 3]>; 2]) -> Vec<[u8; 4]> {
+        let [old, new] = [old, new].map(|picture| marked(picture, analysis.size, self.scale, &analysis.means));
+        [old, new].concat()
     }
 }
 
@@ -193,24 +184,36 @@ impl Drop for Ending {
     }
 }
 
+/// How far it is in few words.
+fn progress(films: usize, found: &str, line: &str) -> Verdict {
+    Verdict { state: State::Judging, short: format!("judging: {films} films; {found}"), line: line.to_owned() }
+}
+
+fn state_of(analysis: &Analysis) -> State {
+    match analysis.verdict {
+        judge::Verdict::Differ => State::Differ,
+        judge::Verdict::Agree(_) => State::Agree,
+        judge::Verdict::CannotTell(_) => State::CannotTell,
+    }
+}
+
 fn judge(
-    gpu: &Arc<Gpu>,
     [old, new]: &[Library; 2],
-    scene: &SceneDescription,
-    (control, batch, seconds): (Control, Duration, f64),
+    place: &Place,
+    control: Control,
     messages: &Sender<Message>,
-    wake: &EventLoopProxy<()>,
 ) -> Result<(), JudgeError> {
+    let Place { gpu, scene, batch, seconds, wake } = place;
     let plan = Plan {
         spp: None,
         whole: false,
         begin: Instant::now(),
-        seconds: Some(seconds),
+        seconds: Some(*seconds),
         films: None,
         alpha: 1e-3,
         within: WITHIN,
         seed: scene.render.seed,
-        batch,
+        batch: *batch,
     };
     let mut judge = Judge::open(gpu, [old, new], scene, plan, control)?;
     if !judge.changed() {

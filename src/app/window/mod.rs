@@ -8,7 +8,8 @@
 //! | `display`, `wayland` | which display it opens on |
 //! | `reason` | why the window library failed, in words for a user |
 //! | `application` | the window library's events, and when to wake |
-//! | `session`, `frame` | a window with an engine: what it keeps; one frame |
+//! | `opening`, `session` | what a session starts from; what it keeps: a window with an engine |
+//! | `events`, `frame`, `draw` | an event of the window, and when the next frame is due; one frame; what it draws |
 //! | `viewpoint`, `tracing`, `activity`, `judgement`, `failures` | what a session keeps, by what it is about |
 //! | `intents` | what each key and gesture does |
 //! | `snapshot`, `repeat` | saving what is seen; the command that gives it again |
@@ -35,7 +36,9 @@ mod cameras;
 mod controls;
 mod display;
 pub mod dock;
+mod draw;
 pub mod edits;
+mod events;
 mod failures;
 pub mod family;
 pub mod flight;
@@ -50,6 +53,7 @@ pub mod magnifier;
 mod mark;
 mod members;
 pub mod navigate;
+mod opening;
 pub mod outline;
 mod overlay;
 pub mod pace;
@@ -82,7 +86,7 @@ use application::Application;
 pub use arguments::ViewArguments;
 pub use display::has_display;
 use family::Family;
-use session::Opening;
+use opening::Opening;
 
 /// The loop of events ended by itself.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]

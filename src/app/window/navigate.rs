@@ -8,7 +8,6 @@ use std::f64::consts::FRAC_PI_2;
 use glam::{DQuat, DVec2, DVec3};
 
 use crate::components::{Camera, Focus, Lens};
-use crate::scene::edit;
 
 /// Radians that an orbit stays away from the poles, where the picture would turn over.
 const POLE_MARGIN: f64 = 0.01;
@@ -91,14 +90,4 @@ pub fn focus(camera: Camera, distance: f64) -> Camera {
 
 fn translate(camera: Camera, by: DVec3) -> Camera {
     Camera { position: camera.position + by, look_at: camera.look_at + by, ..camera }
-}
-
-/// The camera as an entry of a scene file's `cameras`, in one line, exact. What is as in a camera without them is left out.
-pub fn to_ron(name: &str, camera: &Camera) -> String {
-    format!("{name:?}: {},", fields(camera))
-}
-
-/// The camera's fields as such an entry has them, in brackets.
-pub fn fields(camera: &Camera) -> String {
-    edit::camera(camera)
 }

@@ -2,12 +2,11 @@
 
 use std::path::Path;
 
-use super::navigate;
 use crate::app::shared::describe::{Described, quoted};
 use crate::app::shared::scene::SceneFlags;
 use crate::engine::FilmImage;
 use crate::scene::settings::{Group, SETTINGS, Setting, Settings};
-use crate::scene::{Define, SceneDescription};
+use crate::scene::{Define, SceneDescription, edit};
 
 /// What a window shows.
 pub struct Shown<'a> {
@@ -51,7 +50,7 @@ impl Shown<'_> {
         {
             said.cameras.insert(said.active.clone(), *camera);
             let path = format!("cameras.{}", said.active);
-            defines.push(Define::given(path, navigate::fields(camera)));
+            defines.push(Define::given(path, edit::camera(camera)));
         }
         defines.extend(self.unflagged());
         (said.film, said.render) = (self.scene.film, self.scene.render);

@@ -8,7 +8,7 @@ use winit::event::WindowEvent;
 use winit::window::Window;
 
 use crate::engine::{Engine, EngineError};
-use crate::gpu::{Drawn, Fit, Gpu, GpuError, Paint, Surface};
+use crate::gpu::{Drawn, Gpu, GpuError, Paint, Placement, Surface};
 use crate::shader::Library;
 
 /// A window's surface, and egui on it.
@@ -76,9 +76,9 @@ impl Screen {
     }
 
     /// Draws the engine's picture on an area of the window, from its top left, and the user interface over it.
-    pub fn draw(&mut self, engine: &Engine, place: (Fit, UVec2), paint: Paint) -> Result<Drawn, EngineError> {
+    pub fn draw(&mut self, engine: &Engine, placement: Placement, paint: Paint) -> Result<Drawn, EngineError> {
         self.window.pre_present_notify();
-        engine.draw(&mut self.surface, place, paint)
+        engine.draw(&mut self.surface, placement, paint)
     }
 }
 

@@ -1,99 +1,38 @@
-//! A window with an engine behind it: what it keeps, its events, and when the next frame is due.
+//! A window with an engine behind it: what it keeps, from the opening of a device to its end.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
 use glam::UVec2;
-use winit::event::WindowEvent;
 use winit::event_loop::EventLoopProxy;
 use winit::window::Window;
 
 use super::activity::Activity;
 use super::cameras;
-use super::controls::{Controls, Intent};
+use super::controls::Controls;
 use super::edits::Edits;
 use super::failures::Failures;
 use super::family::{Family, Listing};
 use super::judgement::Judgement;
 use super::magnifier::Magnifier;
+use super::opening::Opening;
 use super::overlay::Overlay;
-use super::pace;
 use super::pair::Pair;
 use super::panel::Panel;
 use super::repeat::Shown;
 use super::scene_file::Kept;
-use super::screen::{Screen, physical_size};
+use super::screen::Screen;
 use super::thumbs::Thumbs;
 use super::tracing::Tracing;
 use super::viewpoint::Viewpoint;
 use crate::app::edits::PLACE;
-use crate::app::shared::failure::show;
-use crate::app::shared::scene::{Opened, SceneFlags};
+use crate::app::shared::scene::Opened;
 use crate::app::shared::textures::TextureNotices;
 use crate::engine::{Engine, EngineError, FilmImage};
 use crate::gpu::{Gpu, GpuError};
 use crate::layout::film::FilmPixel;
-use crate::layout::view::ViewMode;
 use crate::scene::SceneDescription;
-use crate::shader::Library;
-
-/// What a session starts from.
-pub struct Opening {
-    pub description: SceneDescription,
-    /// The scene as it was read, to be watched.
-    opened: Opened,
-    flags: SceneFlags,
-    /// Those that the scene is a member of.
-    family: Option<Family>,
-    /// The shaders to go on with.
-    shaders: Library,
-    /// The panel is open at first.
-    pub panel: bool,
-    /// A device was lost.
-    again: bool,
-    /// Edits are judged without being asked for it.
-    judges: bool,
-    /// What was saved on a device that was lost.
-    edits: Option<Edits>,
-    /// Wakes the window when something was saved.
-    wake: EventLoopProxy<()>,
-}
-
-impl Opening {
-    /// A scene as it was read, and the shaders that draw it; with the panel.
-    pub fn new(opened: Opened, shaders: Library, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
-        let description = opened.description.clone();
-        let (panel, again, judges) = (true, false, true);
-        Self { description, opened, flags, family: None, shaders, panel, again, judges, edits: None, wake }
-    }
-
-    /// A member of a family.
-    pub fn of_family(self, family: Family) -> Self {
-        Self { family: Some(family), ..self }
-    }
-
-    /// Whether edits are judged without being asked for it.
-    pub fn judging(self, judges: bool) -> Self {
-        Self { judges, ..self }
-    }
-
-    /// Watches the scene's files and the shaders. The window does without if that can't be done.
-    fn watch(&self, engine: &mut Engine, library: Library) {
-        let wake = self.wake.clone();
-        let sources = match &self.family {
-            Some(family) => family.sources(self.opened.clone(), library),
-            None => self.flags.sources(self.opened.clone(), library),
-        };
-        let woken = move || {
-            // A window that has gone has nothing to wake for.
-            let _ = wake.send_event(());
-        };
-        if let Err(error) = engine.watch(sources, woken) {
-            show(&error);
-        }
-    }
-}
 
 /// All that lives as long as a device does.
 pub struct Session {
@@ -292,69 +231,5 @@ impl Session {
         let (low, high) = self.engine.bounds();
         let size = (high - low).length();
         if size.is_finite() && size > 0.0 { size } else { 1.0 }
-    }
-
-    /// Takes an event of the window: first the user interface, then the controls.
-    pub fn event(&mut self, event: &WindowEvent) -> Result<(), EngineError> {
-        match event {
-            WindowEvent::CursorMoved { .. }
-            | WindowEvent::MouseInput { .. }
-            | WindowEvent::MouseWheel { .. }
-            | WindowEvent::KeyboardInput { .. }
-            | WindowEvent::Touch(_) => self.touch(Instant::now()),
-            WindowEvent::Resized(_) => {
-                self.screen.resize()?;
-                let now = Instant::now();
-                self.tracing.pace.moved(now);
-                self.activity.redraw = true;
-            }
-            WindowEvent::Occluded(hidden) => {
-                self.activity.hidden = *hidden;
-                self.activity.redraw = true;
-            }
-            _ => {}
-        }
-        let response = self.screen.event(event);
-        let visible = self.shows_ui();
-        if visible {
-            self.activity.redraw |= response.repaint;
-        } else {
-            self.screen.forget_events();
-        }
-        let height = f64::from(physical_size(&self.window).y);
-        // The user interface knows the pointer from its last run: what is on the panel since then is the panel's too.
-        if visible && (response.consumed || self.is_for_panel(event)) {
-            self.controls.let_go(event);
-            if self.controls.wants_save(event) {
-                self.act(Intent::SaveEdits)?;
-            }
-        } else if let Some(intent) = self.controls.event(event, height, self.window.scale_factor()) {
-            self.act(intent)?;
-        }
-        Ok(())
-    }
-
-    fn shows_ui(&self) -> bool {
-        let legend = self.engine.view() != ViewMode::Beauty;
-        self.panel.open || legend || self.selected.is_some() || !self.overlay.is_empty() || self.judgement.is_shown()
-    }
-
-    /// When the next frame is due; none while nothing changes.
-    pub fn next_frame(&mut self, now: Instant) -> Option<Instant> {
-        self.activity.redraw |= self.overlay.expire(now);
-        self.activity.expire(now);
-        if self.activity.hidden || physical_size(&self.window).min_element() == 0 {
-            return None;
-        }
-        // Judging has the device to itself, and wakes the window when it has found something.
-        let works = self.activity.working && !self.judgement.has_device();
-        let moves = self.viewpoint.moved || self.viewpoint.flies(self.controls.flight());
-        if works || self.activity.redraw || moves {
-            return Some(self.activity.last_frame + pace::FRAME);
-        }
-        let pixel = self.looked_at();
-        let reading = self.panel.next_reading(&mut self.engine, pixel, self.tracing.began);
-        let judging = self.judging_due();
-        [self.overlay.expires_at(), self.activity.ui_again, reading, judging].into_iter().flatten().min()
     }
 }

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use super::navigate;
 use super::repeat::Shown;
 use crate::app::shared::describe;
 use crate::image::{Kind, Output, Outputs, Picture, SaveError};
+use crate::scene::edit;
 
 /// Numbers that are tried for a name that is free.
 const MOST_NAMES: u32 = 100_000;
@@ -36,7 +36,7 @@ pub fn save(folder: &Path, shown: &Shown) -> (Vec<String>, Vec<SaveError>) {
 /// What it takes to come back to this picture. The camera is as it was moved, as a line for the scene file.
 fn metadata(shown: &Shown) -> Vec<(&'static str, String)> {
     let Shown { scene, film, adapter, .. } = shown;
-    let camera = scene.cameras.get(&scene.active).map(|camera| navigate::to_ron(&scene.active, camera));
+    let camera = scene.cameras.get(&scene.active).map(|camera| edit::camera_line(&scene.active, camera));
     let mut data = vec![
         ("Software", concat!("Lucerna ", env!("CARGO_PKG_VERSION")).to_owned()),
         ("scene", scene.name.clone()),

@@ -9,7 +9,7 @@
 //! | `draft` | the text on its way: one change after the other |
 //! | `place` | where a material's value counts: by its name, by its model, or both |
 //! | `write`, `append` | one value into the text; a new entry behind others |
-//! | `value`, `number`, `trivia`, `path`, `change` | the stones of these |
+//! | `value`, `number`, `trivia`, `path`, `change` | what these are made of |
 
 mod append;
 mod camera;
@@ -47,9 +47,23 @@ pub fn camera(camera: &Camera) -> String {
     camera::whole(camera).text()
 }
 
+/// The same with its name, as a line of `cameras`.
+pub fn camera_line(name: &str, camera: &Camera) -> String {
+    line(name, &self::camera(camera))
+}
+
 /// A material as an entry of a scene file's `materials`, in brackets and one line, exact. Its pictures are named from a folder; without one, left out.
 pub fn material(material: &MtlMaterial, folder: Option<&Path>) -> String {
     material::whole(material, folder).text()
+}
+
+/// The same with its name, as a line of `materials`.
+pub fn material_line(name: &str, material: &MtlMaterial, folder: Option<&Path>) -> String {
+    line(name, &self::material(material, folder))
+}
+
+fn line(name: &str, entry: &str) -> String {
+    format!("{name:?}: {entry},")
 }
 
 /// Writes into a scene file's text what differs between the scene as the file was read, `before`, and as it is now, `after`. Meshes are

@@ -25,18 +25,18 @@ impl Session {
             // Another member of the family: nothing was saved.
             return None;
         }
-        let newest = self.edits.record.rows().find(|row| row.shaders.is_some()).map(|row| row.id);
+        let last_that_ran = self.edits.record.rows().find(|row| row.shaders.is_some()).map(|row| row.id);
         let wanted = self.edits.record.wanted();
         let kind = if other || files.iter().any(|file| is_shader(file)) { Kind::Shaders } else { Kind::Scene };
         let verdict = if other { verdict(restarts) } else { untouched(kind) };
         let edit = self.new_edit(kind, files, since_save, verdict);
-        let rows = self.edits.record.rows().len() + self.edits.record.dropped();
+        let newest = self.edits.record.newest();
         let id = self.edits.record.take(edit, &shaders, other && restarts.film);
         if self.edits.record.running().id != ran {
             self.end_judging();
             self.leave_verdict(ran);
         }
-        let is_new = self.edits.record.rows().len() + self.edits.record.dropped() > rows;
+        let is_new = id > newest;
         if is_new {
             self.edits.keep(id);
         }
@@ -45,7 +45,7 @@ impl Session {
                 "{} runs again; the files are as they were, and the next save goes on from them",
                 self.called(id)
             )),
-            (true, _) if other && newest != Some(ran) => {
+            (true, _) if other && last_that_ran != Some(ran) => {
                 Some(format!("from the files as they are; before it ran {}", self.called(ran)))
             }
             _ => None,

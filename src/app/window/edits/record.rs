@@ -8,7 +8,7 @@ use crate::shader::Library;
 /// Rows that are kept: beyond that the oldest go, text and all, but never the first, nor the one that runs.
 pub const MOST: usize = 100;
 
-/// Names a row as long as the window is open.
+/// Names a row as long as the window is open; that of a later row is larger.
 pub type RowId = u64;
 
 /// One entry of the record.
@@ -57,6 +57,11 @@ impl Record {
     /// The newest first.
     pub fn rows(&self) -> impl ExactSizeIterator<Item = &Row> + DoubleEndedIterator {
         self.rows.iter().rev()
+    }
+
+    /// The row that came last, whichever runs.
+    pub fn newest(&self) -> RowId {
+        self.next - 1
     }
 
     pub fn row(&self, id: RowId) -> Option<&Row> {

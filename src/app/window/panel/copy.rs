@@ -2,37 +2,26 @@
 
 use std::path::Path;
 
-use egui::{Context, Id, Ui};
+use egui::Ui;
 
-use crate::app::window::navigate::to_ron;
 use crate::components::Camera;
 use crate::scene::{MtlMaterial, edit};
 
-/// A button that copies a camera.
-pub fn camera(ui: &mut Ui, name: &str, camera: &Camera) {
-    button(ui, "camera", name, || to_ron(name, camera));
+/// A button that copies a camera. Returns what to say where that was done.
+pub fn camera(ui: &mut Ui, name: &str, camera: &Camera) -> Option<String> {
+    button(ui, "camera", name, || edit::camera_line(name, camera))
 }
 
-/// A button that copies a material, `model:material`, whose pictures are named from a folder.
-pub fn material(ui: &mut Ui, name: &str, material: &MtlMaterial, folder: &Path) {
+/// A button that copies a material, `model:material`, whose pictures are named from a folder. Returns what to say where that was done.
+pub fn material(ui: &mut Ui, name: &str, material: &MtlMaterial, folder: &Path) -> Option<String> {
     let bare = name.split_once(':').map_or(name, |(_, bare)| bare);
-    button(ui, "material", bare, || format!("{bare:?}: {},", edit::material(material, Some(folder))));
+    button(ui, "material", bare, || edit::material_line(bare, material, Some(folder)))
 }
 
-fn button(ui: &mut Ui, kind: &str, name: &str, line: impl FnOnce() -> String) {
+fn button(ui: &mut Ui, kind: &str, name: &str, line: impl FnOnce() -> String) -> Option<String> {
     let button = ui.small_button("copy as RON").on_hover_text(format!("as a line for the scene file's `{kind}s`"));
-    if button.clicked() {
+    button.clicked().then(|| {
         ui.ctx().copy_text(line());
-        let said = format!("the {kind} {name} is on the clipboard");
-        ui.ctx().data_mut(|data| data.insert_temp(id(), said));
-    }
-}
-
-/// What was copied in this frame.
-pub fn said(context: &Context) -> Option<String> {
-    context.data_mut(|data| data.remove_temp(id()))
-}
-
-fn id() -> Id {
-    Id::unique("copied")
+        format!("the {kind} {name} is on the clipboard")
+    })
 }

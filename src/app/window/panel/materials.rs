@@ -9,6 +9,7 @@ use glam::Vec3;
 
 use super::copy;
 use super::maps::{self, Choices};
+use super::outcome::Outcome;
 use crate::components::{Maps, Material, Name, Texture};
 use crate::engine::MeshExtent;
 use crate::scene::{Colour, KEYS, Key, MtlMaterial, Range, Value};
@@ -20,14 +21,14 @@ const SELECTED: Color32 = crate::app::window::mark::COLOUR;
 const COLOUR_STEP: f32 = 1e-4;
 
 /// All materials by name, that under the pointer marked; above them the selected mesh, if there is one, with its material opened. `folder` is
-/// that of the scene's file. Says whether one was written.
+/// that of the scene's file.
 pub fn show(
     ui: &mut Ui,
     world: &mut World,
     seen: Option<&str>,
     selected: Option<&(&str, MeshExtent)>,
     folder: &Path,
-) -> bool {
+) -> Outcome {
     let textures = textures(world);
     let choices = Choices::of(world.query::<&MtlMaterial>().iter(world));
     let mut query = world.query::<(&Name, &mut MtlMaterial, &mut Material, &mut Maps)>();
@@ -39,7 +40,7 @@ pub fn show(
     });
     // Its own first, and all others as they were.
     materials.sort_by_key(|(name, ..)| chosen != Some(name.as_str()));
-    let mut edited = false;
+    let mut outcome = Outcome::default();
     for (name, numbers, material, rendered) in &mut materials {
         let title = RichText::new(name.as_str());
         let title = if seen == Some(name.as_str()) { title.strong().underline() } else { title };
@@ -50,21 +51,21 @@ pub fn show(
             let mut edit = (**numbers).clone();
             sliders(ui, &mut edit);
             maps::show(ui, &mut edit, &choices);
-            copy::material(ui, name.as_str(), &edit, folder);
+            outcome.said = copy::material(ui, name.as_str(), &edit, folder).or(outcome.said.take());
             if edit != **numbers {
                 edit.moved(numbers);
                 let (comes_to, maps) = edit.rendered(&textures);
                 numbers.set_if_neq(edit);
                 material.set_if_neq(comes_to);
                 rendered.set_if_neq(maps);
-                edited = true;
+                outcome.moved = true;
             }
         });
     }
     if materials.is_empty() {
         ui.label("the scene has none");
     }
-    edited
+    outcome
 }
 
 /// A selected mesh in a line.

@@ -7,12 +7,14 @@
 mod copy;
 pub mod curve;
 pub mod debug;
+mod edit_row;
 pub mod edits;
 pub mod lens;
 pub mod lights;
 mod maps;
 pub mod materials;
 pub mod members;
+mod outcome;
 pub mod parameters;
 mod passes;
 mod pixel;
@@ -26,51 +28,39 @@ mod view;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use egui::{CollapsingHeader, RichText};
+use egui::{CollapsingHeader, RichText, Ui};
 use glam::UVec2;
 
 use crate::app::window::dock;
 use crate::app::window::family::Listing;
 use crate::app::window::thumbs::Thumbs;
-use crate::components::{Camera, Lens};
-use crate::engine::{Engine, EngineError};
+use crate::components::Camera;
+use crate::engine::{Engine, EngineError, MeshExtent};
 
-use edits::{EditsAction, EditsShown};
+use edits::EditsShown;
+pub use outcome::Outcome;
 use readings::Readings;
 
-/// What a user did in the panel.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Outcome {
-    /// A component was written, or another view chosen.
-    pub edited: bool,
-    /// Something that the picture follows by the hand, like a moving camera.
-    pub moved: bool,
-    /// A camera was chosen.
-    pub camera: Option<String>,
-    /// The lens as it is to be.
-    pub lens: Option<Lens>,
-    /// A member of the family was chosen.
-    pub member: Option<String>,
-    /// The scene's file is to have what was changed.
-    pub save: bool,
-    /// What was copied.
-    pub said: Option<String>,
-    /// What is wanted of the record of edits.
-    pub edits: Option<EditsAction>,
+/// What the panel shows of the session, beside the engine and its own readings.
+pub struct PanelContext<'a> {
+    /// What is looked through.
+    pub camera: &'a Camera,
+    /// The largest extent of the scene.
+    pub scene_size: f64,
+    pub family: Option<FamilyContext<'a>>,
+    /// The name of the selected mesh.
+    pub selected: Option<&'a str>,
+    /// What was saved since the window opened.
+    pub edits: EditsShown<'a>,
 }
 
-impl Outcome {
-    /// Adds what was done in a later pass of the same frame.
-    pub fn add(&mut self, later: Outcome) {
-        self.edited |= later.edited;
-        self.moved |= later.moved;
-        self.camera = later.camera.or(self.camera.take());
-        self.lens = later.lens.or(self.lens.take());
-        self.member = later.member.or(self.member.take());
-        self.save |= later.save;
-        self.said = later.said.or(self.said.take());
-        self.edits = later.edits.or(self.edits);
-    }
+/// The family that the scene is a member of.
+pub struct FamilyContext<'a> {
+    pub members: &'a Listing,
+    /// The name of the one that is shown.
+    pub shown: &'a str,
+    /// Their pictures.
+    pub thumbs: &'a mut Thumbs,
 }
 
 /// The panel, and what it shows.
@@ -135,21 +125,9 @@ impl Panel {
         if self.open { self.readings.read(engine, pixel, began, now) } else { Ok(false) }
     }
 
-    /// Draws it at the right side of the window, as wide as a hand has made it. `view` is the camera and the size of the scene; `family` are
-    /// its members, the name of the one that is shown, and their pictures; `selected` is the name of a mesh; `saved` is what was saved since the window opened.
-    pub fn show(
-        &mut self,
-        ui: &mut egui::Ui,
-        engine: &mut Engine,
-        (camera, size): (&Camera, f64),
-        family: Option<(&Listing, &str, &mut Thumbs)>,
-        (selected, saved): (Option<&str>, &EditsShown),
-    ) -> Outcome {
-        let mut outcome = Outcome::default();
+    /// Draws it at the right side of the window, as wide as a hand has made it.
+    pub fn show(&mut self, ui: &mut Ui, engine: &mut Engine, context: PanelContext) -> Outcome {
         let samples = wanted_samples(engine);
-        let mut timed = false;
-        let selected = selected.and_then(|mesh| Some((mesh, engine.mesh(mesh)?)));
-        let reveal = std::mem::take(&mut self.reveal) && selected.is_some();
         let [least, most] = dock::widths(ui.max_rect().width());
         let frame = egui::Frame::side_top_panel(ui.style()).fill(egui::Color32::from_gray(24));
         let panel = egui::Panel::right("panel").frame(frame).default_size(self.width).size_range(least..=most);
@@ -158,57 +136,62 @@ impl Panel {
             let rect = ui.available_rect_before_wrap();
             let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(rect));
             ui.advance_cursor_after_rect(rect);
-            egui::ScrollArea::both().auto_shrink(false).show(&mut inner, |ui| {
-                narrow(ui.spacing_mut());
-                outcome.save = save::show(ui);
-                section(ui, "Edits", true, |ui| outcome.edits = edits::show(ui, saved));
-                if let Some((list, shown, thumbs)) = family {
-                    section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
-                }
-                section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
-                let maps = engine.edit(materials::most_maps);
-                section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref(), maps));
-                section(ui, "View", true, |ui| {
-                    outcome.edited |= view::show(ui, engine, self.readings.debug.as_ref());
-                });
-                section(ui, "Camera", true, |ui| {
-                    outcome.camera = settings::cameras(ui, engine);
-                    outcome.lens = lens::show(ui, camera, size);
-                    if let Some((name, _)) = engine.camera() {
-                        copy::camera(ui, &name, camera);
-                    }
-                });
-                let parameters = parameters::all(engine);
-                if !parameters.is_empty() {
-                    section(ui, "Shader", true, |ui| {
-                        outcome.moved |= engine.edit(|world| parameters::show(ui, world, &parameters));
-                    });
-                }
-                engine.edit(|world| {
-                    section(ui, "Settings", true, |ui| outcome.edited |= settings::show(ui, world));
-                    let seen =
-                        self.readings.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
-                    section(ui, "Lights", false, |ui| outcome.moved |= lights::show(ui, world, size));
-                    let open = reveal.then_some(true);
-                    let header = CollapsingHeader::new(RichText::new("Materials").strong()).open(open);
-                    let materials = header.show(ui, |ui| {
-                        outcome.moved |= materials::show(ui, world, seen, selected.as_ref(), &self.folder)
-                    });
-                    if reveal {
-                        materials.header_response.scroll_to_me(Some(egui::Align::Min));
-                    }
-                });
-                timed = section(ui, "Passes", false, |ui| passes::show(ui, &self.readings, self.software));
-            });
+            let scrolled = egui::ScrollArea::both().auto_shrink(false);
+            scrolled.show(&mut inner, |ui| self.show_sections(ui, engine, context)).inner
         });
         self.width = shown.response.rect.width();
-        self.time(engine, timed);
-        outcome.said = copy::said(ui.ctx());
         if wanted_samples(engine) != samples {
             // Who says how many there are to be wants no more.
             engine.set_endless(false);
         }
+        shown.inner
+    }
+
+    fn show_sections(&mut self, ui: &mut Ui, engine: &mut Engine, context: PanelContext) -> Outcome {
+        let PanelContext { camera, scene_size, family, selected, edits } = context;
+        let mut outcome = Outcome::default();
+        let selected = selected.and_then(|mesh| Some((mesh, engine.mesh(mesh)?)));
+        narrow(ui.spacing_mut());
+        outcome.save = save::show(ui);
+        section(ui, "Edits", true, |ui| outcome.edits = edits::show(ui, &edits));
+        if let Some(FamilyContext { members: list, shown, thumbs }) = family {
+            section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
+        }
+        section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
+        let maps = engine.edit(materials::most_maps);
+        section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref(), maps));
+        section(ui, "View", true, |ui| outcome.edited |= view::show(ui, engine, self.readings.debug.as_ref()));
+        section(ui, "Camera", true, |ui| {
+            outcome.camera = settings::cameras(ui, engine);
+            outcome.lens = lens::show(ui, camera, scene_size);
+            if let Some((name, _)) = engine.camera() {
+                outcome.said = copy::camera(ui, &name, camera);
+            }
+        });
+        let parameters = parameters::all(engine);
+        if !parameters.is_empty() {
+            section(ui, "Shader", true, |ui| {
+                outcome.moved |= engine.edit(|world| parameters::show(ui, world, &parameters));
+            });
+        }
+        section(ui, "Settings", true, |ui| outcome.edited |= engine.edit(|world| settings::show(ui, world)));
+        section(ui, "Lights", false, |ui| outcome.moved |= engine.edit(|world| lights::show(ui, world, scene_size)));
+        outcome.add(self.show_materials(ui, engine, selected.as_ref()));
+        let timed = section(ui, "Passes", false, |ui| passes::show(ui, &self.readings, self.software));
+        self.time(engine, timed);
         outcome
+    }
+
+    /// The section of materials, opened and scrolled to where that of the selected mesh is to be shown.
+    fn show_materials(&mut self, ui: &mut Ui, engine: &mut Engine, selected: Option<&(&str, MeshExtent)>) -> Outcome {
+        let reveal = std::mem::take(&mut self.reveal) && selected.is_some();
+        let seen = self.readings.pixel.as_ref().and_then(|pixel| pixel.surface.as_ref()?.material.as_deref());
+        let header = CollapsingHeader::new(RichText::new("Materials").strong()).open(reveal.then_some(true));
+        let shown = header.show(ui, |ui| engine.edit(|world| materials::show(ui, world, seen, selected, &self.folder)));
+        if reveal {
+            shown.header_response.scroll_to_me(Some(egui::Align::Min));
+        }
+        shown.body_returned.unwrap_or_default()
     }
 }
 
@@ -224,7 +207,7 @@ fn narrow(spacing: &mut egui::Spacing) {
 }
 
 /// Says whether it is open.
-fn section(ui: &mut egui::Ui, title: &str, open: bool, content: impl FnOnce(&mut egui::Ui)) -> bool {
+fn section(ui: &mut Ui, title: &str, open: bool, content: impl FnOnce(&mut Ui)) -> bool {
     let header = CollapsingHeader::new(RichText::new(title).strong()).default_open(open);
     header.show(ui, content).openness > 0.0
 }

@@ -1,0 +1,16 @@
+//! Where the film and its counters are put aside while other code is on trial.
+
+use crate::gpu::Runtime;
+
+/// The buffers, and those that hold their copies.
+const ASIDE: [(&str, &str); 2] = [("film", "film_aside"), ("counters", "counters_aside")];
+
+/// Puts the film aside. False where there is no room for it.
+pub fn put_aside(device: &mut Runtime) -> bool {
+    ASIDE.iter().all(|(from, to)| device.copy(from, to).is_ok())
+}
+
+/// Brings the film back that was put aside. False where that can't be done.
+pub fn bring_back(device: &mut Runtime) -> bool {
+    ASIDE.iter().all(|(from, to)| device.copy(to, from).is_ok())
+}
