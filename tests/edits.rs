@@ -324,3 +324,17 @@ fn a_scene_may_have_no_triangles_at_any_time() {
     assert_law(&mut engine);
     assert_eq!(engine.film().unwrap().rgb, [[0.25; 3]; 256]);
 }
+
+#[test]
+fn a_scene_may_come_to_have_few_triangles_or_more() {
+    let mut engine = Engine::open(support::gpu(), Library::shipped(), &two_quads()).unwrap();
+    // Beside the two of another mesh.
+    for (count, few) in [(15, true), (16, false), (15, true)] {
+        engine.edit(|world| {
+            let last = by_name(world, "b");
+            world.get_mut::<Geometry>(last).unwrap().0 = quads(count);
+        });
+        assert_law(&mut engine);
+        assert_eq!(engine.features().contains("few_triangles"), few, "{count}");
+    }
+}

@@ -282,3 +282,19 @@ fn any_number_of_triangles_and_rays() {
         assert_eq!(tracer.extend(&still)[0].triangle, NO_HIT);
     }
 }
+
+#[test]
+fn few_triangles_are_hit_as_many_are() {
+    let mut tracer = Tracer::new();
+    for (name, triangles) in hard_scenes() {
+        for count in [2, 3, 17, 31, 32] {
+            let rays = hard_rays(&triangles[..count], ray_count() / 5);
+            for cut in [Cut::Median, Cut::Random(6), Cut::Chain] {
+                tracer.load(&build(&triangles[..count], cut));
+                let hits = tracer.few(&rays);
+                assert_same(&format!("{name}, {count}, {cut:?}"), &rays, &hits, &tracer.extend(&rays));
+                assert_same(&format!("{name}, {count}, {cut:?}"), &rays, &hits, &tracer.brute(&rays));
+            }
+        }
+    }
+}

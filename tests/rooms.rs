@@ -225,6 +225,7 @@ impl Room {
         trace::Needs {
             materials,
             maps: &[],
+            triangles: self.triangles.len() as u32,
             environment,
             sky,
             sky_light,

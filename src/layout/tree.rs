@@ -103,6 +103,9 @@ gpu_struct! {
     }
 }
 
+/// Paths among so few triangles look at every leaf (`traverse_few.wgsl`): a bit for each in one word.
+pub const FEW_TRIANGLES: u32 = u32::BITS;
+
 /// The word that names the root of a tree over `count` triangles: node 0, the only leaf, or nothing.
 pub fn root(count: u32) -> u32 {
     match count {

@@ -9,6 +9,7 @@ use crate::layout::texture::MaterialMaps;
 use crate::layout::trace::{
     MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MATERIAL_THIN, MaterialRecord, RadianceSample, TraceParams,
 };
+use crate::layout::tree::FEW_TRIANGLES;
 
 /// What tracing a path reads, whatever becomes of it.
 pub const TRACED: [Binding; 15] = Binding::list::<15>(&[
@@ -58,6 +59,8 @@ pub struct Needs<'a> {
     pub materials: &'a [MaterialRecord],
     /// Of those materials; empty where none has a texture.
     pub maps: &'a [MaterialMaps],
+    /// Number of triangles.
+    pub triangles: u32,
     /// Radiance from everywhere.
     pub environment: Vec3,
     /// The environment is a picture.
@@ -94,6 +97,7 @@ impl Needs<'_> {
             ("emission_map", mapped(|m| m.emission != 0)),
             ("emitters", any(|m| m.emission.max_element() > 0.0)),
             ("environment", self.environment.max_element() > 0.0),
+            ("few_triangles", (2..=FEW_TRIANGLES).contains(&self.triangles)),
             ("ggx", flagged(MATERIAL_GGX)),
             ("lens", self.lens),
             ("lights", self.lights),

@@ -44,7 +44,7 @@ fn a_scene_can_ask_for_every_feature_that_the_kernel_names() {
     }
     let every = MaterialMaps { diffuse: 1, emission: 1, opacity: 1, relief: 1, ..MaterialMaps::default() };
     asked.extend(Needs { maps: &[every], ..Needs::default() }.features());
-    asked.extend(Needs { lens: true, point_lights: true, ..Needs::default() }.features());
+    asked.extend(Needs { triangles: 32, lens: true, point_lights: true, ..Needs::default() }.features());
     // Of the device, not of the scene.
     asked.insert("software");
     assert_eq!(Vec::from_iter(asked), Vec::from_iter(named));

@@ -52,7 +52,7 @@ fn a_single_material_needs_no_other_features() {
     let mut room = Room { environment: Vec3::new(1.0, 2.0, 0.5), ..Room::default() };
     let grey = room.material(matte(Vec3::new(0.5, 0.7, 0.2), Vec3::ZERO));
     room.walls([Some(grey), Some(grey), Some(grey), Some(grey), Some(grey), None]);
-    assert_eq!(room.features(), ["environment"]);
+    assert_eq!(room.features(), ["environment", "few_triangles"]);
     against_twin(&room, Library::shipped(), &small(&room)).unwrap();
 }
 

@@ -52,6 +52,35 @@ static EXTEND_BRUTE: Pass = Pass {
     twin: lucerna::passes::Twin::None("of a test"),
 };
 
+/// The closest hits of two triangles and more as paths find them in scenes of at most 32.
+const FEW_WGSL: &str = "
+import package::gen::{ExtendParams, Hit, Ray, NO_CHANCE};
+import package::passes::trace::scene::{scene_extent};
+import package::passes::trace::traverse_few::{traverse_few};
+
+@group(0) @binding(2) var<storage, read> params: ExtendParams;
+@group(0) @binding(3) var<storage, read> rays: array<Ray>;
+@group(0) @binding(4) var<storage, read_write> hits: array<Hit>;
+
+@compute @workgroup_size(64)
+fn extend_few(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = id.x + id.y * groups.x * 64u;
+    if index < params.count {
+        hits[index] = traverse_few(rays[index], params.root, scene_extent(params.root), 0.0, NO_CHANCE);
+    }
+}
+";
+
+static EXTEND_FEW: Pass = Pass {
+    name: "extend_few",
+    module: "passes/trace/extend_few",
+    entry: "extend_few",
+    features: &[],
+    bindings: extend::EXTEND.bindings,
+    makes: &[],
+    twin: lucerna::passes::Twin::None("of a test"),
+};
+
 /// Word 0 becomes fma(1 + 2^-12, 1 + 2^-12, -1 - 2^-11), which is 2^-24 if rounded once, 0 if twice. It reads the
 /// three, lest a compiler compute it.
 const FMA_WGSL: &str = "
@@ -97,7 +126,7 @@ impl Tracer {
     }
 
     fn with(library: Library) -> Self {
-        let library = library.with("passes/trace/extend_brute", BRUTE_WGSL);
+        let library = library.with("passes/trace/extend_brute", BRUTE_WGSL).with("passes/trace/extend_few", FEW_WGSL);
         Self { rig: Runtime::new(super::gpu(), library), root: 0 }
     }
 
@@ -144,6 +173,11 @@ impl Tracer {
 
     pub fn brute(&mut self, rays: &[Ray]) -> Vec<Hit> {
         self.run(&EXTEND_BRUTE, rays, "hits")
+    }
+
+    /// Of a tree of 2 to 32 leaves.
+    pub fn few(&mut self, rays: &[Ray]) -> Vec<Hit> {
+        self.run(&EXTEND_FEW, rays, "hits")
     }
 
     pub fn occluded(&mut self, rays: &[Ray]) -> Vec<u32> {

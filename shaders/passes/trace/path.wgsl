@@ -39,6 +39,7 @@ import package::passes::trace::surface::{Surface, shading_frame_at, surface_at};
 @if(normals || relief) import package::passes::trace::surface::{shading_normal_at};
 @if(thin && relief) import package::passes::trace::surface::{is_bent};
 import package::passes::trace::traverse::{traverse};
+import package::passes::trace::traverse_few::{traverse_few};
 
 @group(0) @binding(2) var<storage, read> params: TraceParams;
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
@@ -105,7 +106,11 @@ fn extend(state: ptr<function, PathState>, ray: Ray, extent: f32, enough: f32) -
         chance = pcg_words((*state).key, CUTOUT_DIMENSIONS + (*state).rays).x | 1u;
     }
     (*state).rays += 1u;
-    return traverse(ray, params.root, extent, enough, chance);
+    @if(few_triangles) {
+        return traverse_few(ray, params.root, extent, enough, chance);
+    } @else {
+        return traverse(ray, params.root, extent, enough, chance);
+    }
 }
 
 // Ends or scales the path so that its mean stays: it survives with the probability of its throughput's largest channel, as it would be

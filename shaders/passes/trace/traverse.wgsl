@@ -8,6 +8,8 @@
 // STACK_SIZE entries remembers the far children; when it is full, the oldest is forgotten. Once the stack is empty and
 // something was forgotten, the traversal climbs from the node visited last and goes on in the first far child it has not
 // come from. What was passed by before stays passed by, since the best t only shrinks.
+//
+// Paths among few triangles take package::passes::trace::traverse_few instead, for the same hits.
 
 import package::gen::{Hit, Ray, NO_CHANCE, NO_HIT, NO_ROOT};
 import package::lib::intersect::{prepare_query};

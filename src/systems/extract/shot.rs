@@ -204,6 +204,7 @@ fn shoot(
     let needs = Needs {
         materials: packed.records.rows(),
         maps: packed.maps.rows(),
+        triangles: packed.triangles.len() as u32,
         environment,
         sky: sky.source.is_some(),
         sky_light: lighting.sky_power > 0.0,
