@@ -103,7 +103,7 @@ pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
         None => {
             let opened = flags.open(&arguments.scene, false)?;
             let library = flags.library(&opened)?;
-            Opening::new(opened, library, flags, wake)
+            Opening::new(opened, library, flags, wake).called(&arguments.scene)
         }
     };
     opening.panel = !arguments.no_panel;

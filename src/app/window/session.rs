@@ -44,6 +44,8 @@ pub struct Opening {
     /// The scene as it was read, to be watched.
     opened: Opened,
     flags: SceneFlags,
+    /// The scene was found by its name: which file that is, the user did not say.
+    is_found: bool,
     /// Those that the scene is a member of.
     family: Option<Family>,
     /// The shaders to go on with.
@@ -64,8 +66,13 @@ impl Opening {
     /// A scene as it was read, and the shaders that draw it; with the panel.
     pub fn new(opened: Opened, shaders: Library, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
         let description = opened.description.clone();
-        let (panel, again, judges) = (true, false, true);
-        Self { description, opened, flags, family: None, shaders, panel, again, judges, edits: None, wake }
+        let (is_found, panel, again, judges) = (false, true, false, true);
+        Self { description, opened, flags, is_found, family: None, shaders, panel, again, judges, edits: None, wake }
+    }
+
+    /// The scene is the one that a user called so: by the path of its file, or by a name.
+    pub fn called(self, name: &str) -> Self {
+        Self { is_found: self.opened.path != Path::new(name), ..self }
     }
 
     /// A member of a family.
@@ -219,6 +226,11 @@ impl Session {
     /// The scene as it was read first.
     pub(super) fn opened(&self) -> &Opened {
         &self.opening.opened
+    }
+
+    /// Whether the scene was found by its name.
+    pub(super) fn is_found(&self) -> bool {
+        self.opening.is_found
     }
 
     pub(super) fn family(&self) -> Option<&Family> {
