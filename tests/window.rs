@@ -1,5 +1,6 @@
 //! The window: its mathematics by themselves, and all of it on a display of its own.
 
+mod alike;
 mod beside;
 #[cfg(target_os = "linux")]
 mod display;

@@ -37,7 +37,11 @@ pub fn main() -> ExitCode {
         Err(error) => {
             // Help and version are no errors, and go to stdout; a closed pipe there is no error.
             let _ = error.print();
-            return ExitCode::from(if error.use_stderr() { Exit::Usage } else { Exit::Done });
+            return ExitCode::from(match error.use_stderr() {
+                true if judge::is_for_bisect(std::env::args_os()) => Exit::Abandoned,
+                true => Exit::Usage,
+                false => Exit::Done,
+            });
         }
     };
     let command = match arguments.command {

@@ -37,6 +37,7 @@ pub use error::{ErrorKind, Place, ShaderError, Source};
 pub use layers::Layers;
 pub use library::Library;
 pub use link::Linked;
+pub use names::module_name;
 pub use parameter::{Parameter, ParameterKind};
 pub use reflect::{BoundResource, EntryPoint, ResourceKind};
 pub use stack::on_large_stack;

@@ -105,6 +105,43 @@ fn the_shaders_of_an_edit_are_written_out() {
     assert!(!folder.path().join("again").exists(), "all or nothing");
 }
 
+/// A record may come from anywhere.
+#[test]
+fn what_a_record_names_stays_within_its_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let edits = filled(folder.path());
+    let kept = edits.list().unwrap().edits.remove(1);
+    let shaders = kept.shaders.clone().unwrap();
+    let elsewhere = folder.path().join("above").display().to_string().replace('\\', "/");
+    for module in ["../above", "lib/../../above", &elsewhere, "", "lib/", "lib/v1.2"] {
+        let named = shaders.values().next().map(|text| (module.to_owned(), text.clone()));
+        edits.update(&Kept { shaders: Some(named.into_iter().collect()), ..kept.clone() }).unwrap();
+        let said = refused(1, folder.path(), &["edits", "2", "-o", "below/out"]);
+        assert!(said.contains(&format!("`{module}` is no name of a shader")), "{said}");
+        assert!(!folder.path().join("below").exists() && !folder.path().join("above.wgsl").exists(), "{module}");
+    }
+    std::fs::write(folder.path().join("secret.wgsl"), "").unwrap();
+    let text = "../../../secret".to_owned();
+    edits.update(&Kept { shaders: Some([("lib/own".to_owned(), text)].into()), ..kept }).unwrap();
+    assert!(refused(1, folder.path(), &["edits", "2", "-o", "out"]).contains("is no name of a text"));
+}
+
+/// What is named otherwise than this folder names its files is not its own, and no number is beyond the last.
+#[test]
+fn other_names_are_no_edits() {
+    let folder = tempfile::tempdir().unwrap();
+    let edits = filled(folder.path());
+    for name in ["+7.json", "007.json", "7.JSON", "7.json.json"] {
+        std::fs::copy(edits.path().join("1.json"), edits.path().join(name)).unwrap();
+    }
+    let listed = edits.list().unwrap();
+    assert!(listed.unread.is_empty() && listed.edits.len() == 3, "{:?}", listed.unread);
+    std::fs::copy(edits.path().join("1.json"), edits.path().join(format!("{}.json", u32::MAX))).unwrap();
+    let mut kept = listed.edits[0].clone();
+    assert!(edits.add(&mut kept).unwrap_err().to_string().contains("no more numbers"));
+    assert!(!edits.path().join("0.json").exists());
+}
+
 #[test]
 fn the_oldest_edits_go_and_numbers_go_on() {
     let folder = tempfile::tempdir().unwrap();

@@ -93,6 +93,8 @@ fn commits_are_judged_and_the_bad_one_is_found() {
     let place = format!("{}:own/shaders/lib/sampling.wgsl:", &broken[..10]);
     assert!(code == Some(1) && said.contains(&place), "{code:?}: {said}");
     assert_eq!(repository.judge(&format!("{shipped}..{broken}"), &["--bisect"]).0, Some(125));
+    // Where there is nothing to judge by, skipping commit after commit would find nothing.
+    assert_eq!(repository.judge(&format!("{broken}..{shipped}"), &["--bisect"]).0, Some(128));
     // The files as they lie there, against a commit.
     let path = repository.shaders().join("lib").join("rng.wgsl");
     std::fs::write(&path, std::fs::read_to_string(&path).unwrap() + "\n// more\n").unwrap();
@@ -127,4 +129,20 @@ fn what_is_no_commit_is_told() {
     let run = command.output().unwrap();
     let said = String::from_utf8_lossy(&run.stderr);
     assert!(run.status.code() == Some(128) && said.contains("commits can't be looked up here"), "{said}");
+    // `git bisect run` would take 2 for a bad commit.
+    command.arg("--no-such-flag");
+    assert_eq!(command.output().unwrap().status.code(), Some(128));
+}
+
+#[test]
+fn shaders_that_are_too_large_are_told() {
+    let repository = Repository::new();
+    std::fs::write(repository.shaders().join("large.wgsl"), vec![b'/'; (64 << 20) + 1]).unwrap();
+    repository.git(&["add", "--all"]);
+    repository.git(&["commit", "--quiet", "--message", "large"]);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lucerna"));
+    let run =
+        repository.run(command.args(["judge", "cornell-box", "--git", "HEAD", "--new"]).arg(repository.shaders()));
+    let said = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.code() == Some(1) && said.contains("they have more than 64 MiB"), "{said}");
 }

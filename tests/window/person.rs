@@ -263,6 +263,20 @@ fn a_person_looks_moves_and_leaves() {
     assert!(!stderr.contains("error"), "{stderr}");
 }
 
+/// Keys that were shown in a small window are all there in a large one.
+#[test]
+fn the_keys_grow_with_the_window() {
+    let mut person = Person::sized("200x150", Some(SPP));
+    person.finish();
+    let bare = person.look();
+    person.display.key(F1);
+    person.see("some of the keys", |look| look.difference(&bare) > 10.0);
+    person.display.resize(person.window, 800, 600);
+    let ground = |look: &Screenshot| look.pixels.iter().filter(|pixel| **pixel == [27; 3]).count();
+    person.see("all of the keys", |look| look.width == 800 && ground(look) > 150_000);
+    person.quit();
+}
+
 /// A shader that doesn't compile does not end the window: its error is over the picture, and once in the terminal.
 #[test]
 fn a_broken_shader_is_shown_over_the_picture() {

@@ -53,6 +53,24 @@ fn a_member_of_a_family_is_not_saved_and_that_is_told() {
     person.quit();
 }
 
+/// A name says nothing of where its file is: that of a scene that comes with the program would be written over.
+#[test]
+fn a_scene_that_was_opened_by_its_name_is_not_written_over() {
+    let folder = cornell_box();
+    let scenes = folder.path().join("assets").join("scenes");
+    std::fs::create_dir_all(&scenes).unwrap();
+    let file = scenes.join("own.ron");
+    let text = std::fs::read_to_string(folder.path().join("scene.ron")).unwrap();
+    let text = text.replace("cornell-box.obj", "../../cornell-box.obj");
+    std::fs::write(&file, &text).unwrap();
+    let mut person = Person::in_folder(folder, "own", &[]);
+    person.finish();
+    person.display.key(LOWER_B);
+    save(&person, "own was opened by its name, and assets/scenes/own.ron is not written over");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text);
+    person.quit();
+}
+
 #[test]
 fn what_was_changed_is_saved_and_the_film_goes_on() {
     let mut person = Person::with_files();

@@ -81,7 +81,9 @@ impl EditsFolder {
     /// Writes an edit under the first number behind all others, which it gets. What is too much goes.
     pub fn add(&self, kept: &mut Kept) -> Result<(), SaveError> {
         let last = self.numbers().map_err(|source| self.failed(source))?.last().copied().unwrap_or(0);
-        for number in last + 1.. {
+        let mut number = last;
+        loop {
+            number = number.checked_add(1).ok_or_else(|| self.failed(io::Error::other("there are no more numbers")))?;
             kept.number = number;
             let text = as_text(kept);
             if file::write_new(&self.edit_path(number), |out| out.write_all(text.as_bytes()))? {
@@ -116,6 +118,10 @@ impl EditsFolder {
     pub fn text(&self, name: &str) -> io::Result<String> {
         let path = self.text_path(name);
         let explained = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
+        let is_name = |c: char| c.is_ascii_alphanumeric() || c == '-';
+        if !name.chars().all(is_name) {
+            return Err(io::Error::other(format!("`{name}` is no name of a text")));
+        }
         let text = String::from_utf8(files::read(&path, LIMIT).map_err(explained)?).map_err(io::Error::other)?;
         match text_name(&text) == name {
             true => Ok(text),
@@ -129,7 +135,11 @@ impl EditsFolder {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
             entries => entries?,
         };
-        let number = |name: String| name.strip_suffix(".json")?.parse().ok();
+        // As this folder writes them: other names are other files.
+        let number = |name: String| {
+            let number = name.strip_suffix(".json")?.parse::<u32>().ok()?;
+            (name == format!("{number}.json")).then_some(number)
+        };
         let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
         let mut numbers: Vec<u32> = names.filter_map(number).collect();
         numbers.sort_unstable();

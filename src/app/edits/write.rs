@@ -1,12 +1,13 @@
 //! The shaders of an edit, as files of a folder.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
 
 use super::folder::{EditsFolder, Kept};
 use crate::app::Failure;
 use crate::image::file;
-use crate::shader::Library;
+use crate::shader::{Library, module_name};
 
 /// Texts that are gone, or are no longer what was written.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -36,7 +37,14 @@ pub fn write(folder: &EditsFolder, kept: &Kept, to: &Path, force: bool) -> Resul
     let lost = |source| Failure::of(Lost { number, source });
     let texts: BTreeMap<&String, String> = shaders
         .iter()
-        .map(|(module, name)| Ok((module, folder.text(name)?)))
+        .map(|(module, name)| {
+            // A record may come from anywhere: what it names stays within the folder.
+            let below = module.split('/').collect::<PathBuf>();
+            match module_name(&below.with_extension("wgsl")).as_ref() == Some(module) {
+                true => Ok((module, folder.text(name)?)),
+                false => Err(io::Error::other(format!("`{module}` is no name of a shader"))),
+            }
+        })
         .collect::<Result<_, _>>()
         .map_err(lost)?;
     for (module, text) in texts {

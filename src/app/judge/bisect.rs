@@ -1,6 +1,13 @@
 //! `--bisect`: a verdict as `git bisect run` reads it.
 
+use std::ffi::OsString;
+
 use crate::app::{Exit, Failure};
+
+/// Whether a command line that means nothing was meant for `git bisect run`, which would take the number that such a line ends with for a bad commit.
+pub fn is_for_bisect(words: impl IntoIterator<Item = OsString>) -> bool {
+    words.into_iter().any(|word| word == "--bisect")
+}
 
 /// 0 is a good commit, 1 a bad one, 125 one that can't be told and is skipped, and from 128 on the search ends: where nothing can be
 /// judged at all, no commit is to be blamed. (git-bisect(1), "Bisect run".)

@@ -126,11 +126,15 @@ fn contents<'a>(folder: &Path, objects: impl Iterator<Item = &'a str>) -> io::Re
     // Git answers while it is asked: who only asked would wait for it to be heard, and it for room in the pipe.
     let asking = std::thread::spawn(move || asked.iter().try_for_each(|line| stdin.write_all(line.as_bytes())));
     let mut answer = Vec::new();
-    stdout.by_ref().take(LIMIT).read_to_end(&mut answer)?;
+    stdout.by_ref().take(LIMIT + 1).read_to_end(&mut answer)?;
+    let is_whole = answer.len() as u64 <= LIMIT;
     drop(stdout);
     child.wait()?;
     // Where git ended early, the answer is too short, which is told below.
     let _ = asking.join();
+    if !is_whole {
+        return Err(io::Error::other(format!("they have more than {} MiB", LIMIT >> 20)));
+    }
     let mut rest = answer.as_slice();
     (0..count).map(|_| next(&mut rest).ok_or_else(|| io::Error::other("git's answer is cut short"))).collect()
 }

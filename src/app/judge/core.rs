@@ -16,7 +16,7 @@ use crate::components::Film;
 use crate::gpu::Gpu;
 use crate::passes::table::TABLE;
 use crate::scene::SceneDescription;
-use crate::shader::{Features, Library, ShaderError};
+use crate::shader::{Features, Library};
 
 /// Films of each at the first analysis; each later one is at twice as many.
 const FIRST_ANALYSIS: usize = 4;
@@ -107,7 +107,7 @@ impl Judge {
         let films = halved(description.film);
         // What is compiled first is to be compiled whatever the time is.
         let untimed = Clock::new(plan.begin, None, control.clone());
-        sides[0].film(films[0], plan.seed, 1, &untimed)?;
+        sides[0].film(films[0], plan.seed, 1, &untimed).map_err(JudgeError::of_old)?;
         let changed = is_changed(old, new, &sides[0].features())?;
         let seconds = plan.seconds.or(plan.films.is_none().then_some(SECONDS));
         let clock = Clock::new(plan.begin, seconds, control);
@@ -290,10 +290,11 @@ impl Judge {
 }
 
 /// Links all that an engine runs by both; fails on what is wrong with either.
-fn is_changed(old: &Library, new: &Library, features: &Features) -> Result<bool, ShaderError> {
+fn is_changed(old: &Library, new: &Library, features: &Features) -> Result<bool, JudgeError> {
     let mut changed = false;
     for pass in TABLE.iter().filter(|pass| !pass.makes.is_empty()) {
-        changed |= !old.link(pass.module, features)?.is_same(&new.link(pass.module, features)?);
+        let old = old.link(pass.module, features).map_err(JudgeError::OldShader)?;
+        changed |= !old.is_same(&new.link(pass.module, features)?);
     }
     Ok(changed)
 }

@@ -12,6 +12,25 @@ pub enum JudgeError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Engine(#[from] EngineError),
+    /// Of the shaders to judge by: no fault of those that are judged.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    OldShader(ShaderError),
+    /// The same, found by the engine that runs them.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    OldEngine(EngineError),
     #[error("stopped before it was judged")]
     Stopped,
+}
+
+impl JudgeError {
+    /// The same, of the shaders to judge by.
+    pub fn of_old(self) -> Self {
+        match self {
+            Self::Shader(error) => Self::OldShader(error),
+            Self::Engine(error) => Self::OldEngine(error),
+            other => other,
+        }
+    }
 }

@@ -18,6 +18,7 @@ pub mod sizing;
 pub use self::core::{Judge, Plan, SECONDS, WITHIN};
 pub use analysis::{Analysis, End, Unknown, Verdict};
 pub use arguments::JudgeArguments;
+pub use bisect::is_for_bisect;
 pub use clock::Control;
 pub use commits::Commits;
 pub use error::JudgeError;
@@ -182,11 +183,21 @@ impl From<CommitError> for Failure {
     }
 }
 
+impl Failure {
+    /// Of the shaders to judge by: where they are broken, nothing can be judged.
+    fn of_old(failure: Failure) -> Self {
+        let exit = if failure.exit == Exit::BrokenShaders { Exit::Failed } else { failure.exit };
+        Self { exit, ..failure }
+    }
+}
+
 impl From<JudgeError> for Failure {
     fn from(error: JudgeError) -> Self {
         match error {
             JudgeError::Shader(error) => error.into(),
             JudgeError::Engine(error) => Self::engine(error),
+            JudgeError::OldShader(error) => Self::of_old(error.into()),
+            JudgeError::OldEngine(error) => Self::of_old(Self::engine(error)),
             stopped @ JudgeError::Stopped => Self::of(stopped),
         }
     }

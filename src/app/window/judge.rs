@@ -20,8 +20,8 @@ impl Session {
         let Some((of, sides)) = self.edits.record.last_traced() else {
             return self.notify("nothing to judge yet: no edit has changed what is traced".to_owned());
         };
-        if !self.judgement.ask(of) {
-            let place = self.judging_place(SECONDS);
+        let place = self.judging_place(SECONDS);
+        if !self.judgement.ask(of, &place.scene) {
             self.judgement.start(of, sides, place, true);
         }
         self.overlay.show_split(self.judgement.picture());
@@ -32,7 +32,10 @@ impl Session {
     pub(super) fn judging_place(&mut self, seconds: f64) -> Place {
         let name = self.name().to_owned();
         let batch = if self.gpu.is_software() { pace::MOVING_STEP } else { pace::STEP };
-        Place { gpu: self.gpu.clone(), scene: self.engine.describe(&name), batch, seconds, wake: self.wake() }
+        let mut scene = self.engine.describe(&name);
+        // The engine's camera follows the view in the next frame.
+        scene.cameras.insert(scene.active.clone(), self.viewpoint.camera);
+        Place { gpu: self.gpu.clone(), scene, batch, seconds, wake: self.wake() }
     }
 
     /// Takes what judging has found to its row, and shows it; says the verdict in the terminal too.

@@ -1,13 +1,11 @@
 //! The edit that is judged: asked for by a key, or by itself while nothing else needs the device; and what was found so far.
 
-use std::sync::Arc;
-
 use glam::UVec2;
 
+use super::alike::{is_alike, looks_alike};
 use super::edits::record::RowId;
 use super::judging::{Ending, Judging, Place};
 use crate::app::edits::Verdict;
-use crate::components::Film;
 use crate::scene::SceneDescription;
 use crate::shader::Library;
 
@@ -76,9 +74,10 @@ impl Judgement {
         self.current = Some(Current { of, judging, scene, asked, paused: false });
     }
 
-    /// A user asks for what is judged by itself. False where that is another row, or none.
-    pub fn ask(&mut self, of: RowId) -> bool {
-        let Some(current) = self.current.as_mut().filter(|current| current.of == of) else { return false };
+    /// A user asks for what is judged by itself. False where that is another row, or none, or what is seen is no longer what it was judged on.
+    pub fn ask(&mut self, of: RowId, scene: &SceneDescription) -> bool {
+        let is_asked = |current: &&mut Current| current.of == of && looks_alike(&current.scene, scene);
+        let Some(current) = self.current.as_mut().filter(is_asked) else { return false };
         current.asked = true;
         self.rest(false);
         true
@@ -118,23 +117,6 @@ impl Judgement {
 
     /// Whether a row is judged on a scene, wherever that is looked at from: films by one camera are as good as by another.
     pub fn is_on(&self, of: RowId, scene: &SceneDescription) -> bool {
-        self.current.as_ref().is_some_and(|current| current.of == of && is_same(&current.scene, scene))
+        self.current.as_ref().is_some_and(|current| current.of == of && is_alike(&current.scene, scene))
     }
-}
-
-/// Whether two scenes are the same but for camera, film and number of samples. What they share is told apart by where it is.
-fn is_same(one: &SceneDescription, other: &SceneDescription) -> bool {
-    let alike = one.meshes.len() == other.meshes.len()
-        && one.meshes.iter().zip(&other.meshes).all(|((name, mesh), (other_name, other))| {
-            name == other_name
-                && Arc::ptr_eq(&mesh.geometry, &other.geometry)
-                && (&mesh.transform, &mesh.material) == (&other.transform, &other.material)
-        });
-    let rest = |scene: &SceneDescription| {
-        let mut rest = SceneDescription { meshes: Default::default(), cameras: Default::default(), ..scene.clone() };
-        (rest.film, rest.render.spp) = (Film::default(), 0);
-        rest.active.clear();
-        rest
-    };
-    alike && rest(one) == rest(other)
 }

@@ -26,9 +26,11 @@
 //! | `save_edits`, `scene_file` | what was changed goes into the scene's file |
 //! | `saves`, `edits` | what was saved meanwhile; the record of it, kept and judged by itself |
 //! | `judge`, `judging` | whether an edit made the estimator better, worse or wrong |
+//! | `alike` | pure: when what was found of one scene holds for another |
 //! | `panel` | numbers, curves, sliders |
 
 pub mod activity;
+pub mod alike;
 mod application;
 mod arguments;
 pub mod beside;
@@ -105,7 +107,7 @@ pub fn run(arguments: &ViewArguments) -> Result<Exit, Failure> {
         None => {
             let opened = flags.open(&arguments.scene, false)?;
             let library = flags.library(&opened)?;
-            Opening::new(opened, library, flags, wake)
+            Opening::new(opened, library, flags, wake).called(&arguments.scene)
         }
     };
     opening.panel = !arguments.no_panel;

@@ -1,5 +1,7 @@
 //! What a session starts from: a scene as it was read, or as it was edited until its device was lost.
 
+use std::path::Path;
+
 use winit::event_loop::EventLoopProxy;
 
 use super::edits::Edits;
@@ -16,6 +18,8 @@ pub struct Opening {
     /// The scene as it was read, to be watched.
     pub(super) opened: Opened,
     pub(super) flags: SceneFlags,
+    /// The scene was found by its name: which file that is, the user did not say.
+    pub(super) is_found: bool,
     /// Those that the scene is a member of.
     pub(super) family: Option<Family>,
     /// The shaders to go on with.
@@ -36,8 +40,13 @@ impl Opening {
     /// A scene as it was read, and the shaders that draw it; with the panel.
     pub fn new(opened: Opened, shaders: Library, flags: SceneFlags, wake: EventLoopProxy<()>) -> Self {
         let description = opened.description.clone();
-        let (panel, again, judges) = (true, false, true);
-        Self { description, opened, flags, family: None, shaders, panel, again, judges, edits: None, wake }
+        let (is_found, panel, again, judges) = (false, true, false, true);
+        Self { description, opened, flags, is_found, family: None, shaders, panel, again, judges, edits: None, wake }
+    }
+
+    /// The scene is the one that a user called so: by the path of its file, or by a name.
+    pub fn called(self, name: &str) -> Self {
+        Self { is_found: self.opened.path != Path::new(name), ..self }
     }
 
     /// A member of a family.

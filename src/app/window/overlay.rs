@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{Align2, Color32, Context, Rect, RichText};
+use egui::{Align2, Color32, Context, Rect, RichText, Ui};
 use glam::UVec2;
 
 use super::beside::Beside;
@@ -100,7 +100,7 @@ fn show_problems(context: &Context, picture: Rect, problems: &[String]) {
         let frame = egui::Frame::popup(ui.style()).fill(Color32::from_rgba_unmultiplied(60, 8, 8, 235));
         frame.show(ui, |ui| {
             let room = room(picture);
-            ui.set_max_width(room.x);
+            take_room(ui, room);
             egui::ScrollArea::both().max_height(room.y).show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
                 for line in problems.iter().flat_map(|problem| problem.lines()) {
@@ -127,6 +127,7 @@ fn show_keys(context: &Context, picture: Rect) {
     area.constrain_to(picture).anchor(Align2::CENTER_CENTER, [0.0, 0.0]).show(context, |ui| {
         egui::Frame::popup(ui.style()).show(ui, |ui| {
             let room = room(picture);
+            take_room(ui, room);
             egui::ScrollArea::both().max_width(room.x).max_height(room.y).show(ui, |ui| {
                 egui::Grid::new("keys").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
                     for (key, meaning) in KEYS {
@@ -138,6 +139,12 @@ fn show_keys(context: &Context, picture: Rect) {
             });
         });
     });
+}
+
+/// Lets something be as large as its room is now: an area is else no larger than it once was, in a window that was small.
+fn take_room(ui: &mut Ui, room: egui::Vec2) {
+    ui.set_max_width(room.x);
+    ui.set_max_height(room.y);
 }
 
 /// What the picture's area leaves to something that lies in it with a frame.

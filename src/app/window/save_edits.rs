@@ -30,6 +30,9 @@ impl Session {
             let scene = text.file().unwrap_or(&opened.path).to_path_buf();
             return Err(Unsaved::Member { member: name, family: opened.path.clone(), scene });
         }
+        if self.is_found() {
+            return Err(Unsaved::Found { name, path: opened.path.clone() });
+        }
         match text.file() {
             Some(_) => {
                 let now = of_file(now, &description);

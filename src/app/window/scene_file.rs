@@ -53,6 +53,9 @@ pub enum Unsaved {
     #[error("the scene was read from no file")]
     #[diagnostic(help("`lucerna new NAME` writes one"))]
     NoFile,
+    #[error("{name} was opened by its name, and {} is not written over", path.display())]
+    #[diagnostic(help("copy it and open the copy; or open it by its path, to save into it"))]
+    Found { name: String, path: PathBuf },
     #[error("{0}")]
     Place(SaveError),
     #[error("{member}: is a member of {}, and what is changed in the window is not saved into that", family.display())]

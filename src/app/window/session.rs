@@ -160,6 +160,11 @@ impl Session {
         &self.opening.opened
     }
 
+    /// Whether the scene was found by its name.
+    pub(super) fn is_found(&self) -> bool {
+        self.opening.is_found
+    }
+
     pub(super) fn family(&self) -> Option<&Family> {
         self.opening.family.as_ref()
     }
