@@ -158,10 +158,15 @@ impl Drop for Xvfb {
 }
 
 impl Screenshot {
-    /// The same, or infinite where they have two sizes.
-    pub fn difference_or_size(&self, other: &Screenshot) -> f64 {
-        let same = (self.width, self.height) == (other.width, other.height);
-        if same { self.difference(other) } else { f64::INFINITY }
+    /// Its left part, of a width: what a window that was made narrower keeps until it is drawn.
+    pub fn narrowed(&self, width: u32) -> Screenshot {
+        let rows = self.pixels.chunks(self.width as usize);
+        Self { width, height: self.height, pixels: rows.flat_map(|row| row[..width as usize].to_vec()).collect() }
+    }
+
+    /// Whether nothing was drawn yet.
+    pub fn is_black(&self) -> bool {
+        self.pixels.iter().all(|pixel| *pixel == [0; 3])
     }
 
     /// Mean absolute difference of codes, of pictures of one size.
