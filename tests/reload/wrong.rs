@@ -35,7 +35,13 @@ fn place(text: &str, part: &str) -> (usize, usize) {
 fn wrong_shaders_leave_the_picture_and_say_where() {
     let mut bench = Bench::new();
     let bench = &mut bench;
-    check(bench, PATH, ("(*state).rays += 1u;", "(*state).rays += ;"), ";\n    return traverse", "expected expression");
+    check(
+        bench,
+        PATH,
+        ("(*state).rays += 1u;", "(*state).rays += ;"),
+        ";\n    @if(few_triangles)",
+        "expected expression",
+    );
     check(bench, PATH, ("(*state).rays += 1u;", "(*state).rays += 1.5f;"), "(*state).rays += 1.5f", "");
     check(bench, PATH, ("import package::lib::fault::{fault_of};", ""), "fault_of((*state)", "`fault_of`");
     check(bench, PATH, ("package::lib::fault::", "package::lib::faults::"), "fault_of};", "no module `lib/faults`");
