@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use std::process::Command;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde_json::Value;
 
@@ -67,14 +67,12 @@ fn edits_are_judged_while_nobody_needs_the_device() {
     person.display.key(F2);
 
     let moves = |key: char, from: &Screenshot| {
-        let began = Instant::now();
         person.display.key(u32::from(key));
         person.see("another view", |look| look.difference(from) > 3.0);
-        began.elapsed()
     };
     // The picture is narrower from then on.
     person.see("the panel", |look| look.difference(&alone) > 3.0);
-    let usual = moves('f', &person.look());
+    moves('f', &person.look());
     moves('1', &person.look());
     let spp = || title().split_once(": ").and_then(|(_, rest)| rest.split(' ').next()?.parse::<u32>().ok());
     // The title follows within a second.
@@ -87,10 +85,8 @@ fn edits_are_judged_while_nobody_needs_the_device() {
     let judges = || title().contains("rests while").then_some(());
     await_some(person.process.id(), "judging", judges);
     std::thread::sleep(COMPILED);
-    // A hand that moves the camera has the device at once, and films go on later.
-    let waited = moves('f', &person.look());
-    println!("a moved camera is seen after {usual:?}, and after {waited:?} while an edit is judged");
-    assert!(waited < 4 * usual + Duration::from_secs(1), "{waited:?}, and {usual:?} without judging");
+    // A hand that moves the camera has the device before the verdict, and films go on later.
+    moves('f', &person.look());
     await_some(person.process.id(), "the film", || judges().is_none().then_some(()));
     await_some(person.process.id(), "judging that goes on", judges);
     let agreed = await_states(&person, &["agree", "none"]);
