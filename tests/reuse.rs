@@ -15,6 +15,9 @@ use crate::support;
 
 const LONG: Duration = Duration::from_secs(10);
 
+/// More pixels than a first batch has samples, so that who watches gets a level of them.
+const LARGE: &[(&str, &str)] = &[("film.size", "(90,70)"), ("render.spp", "3")];
+
 /// A step of the smallest batch, once the governor has learnt what one takes.
 const SHORT: Duration = Duration::from_nanos(1);
 
@@ -80,7 +83,7 @@ fn a_crop_equals_the_crop_of_the_whole() {
 
 #[test]
 fn who_watches_gets_the_same_film() {
-    let description = describe("cornell-box", &[("render.spp", "3")]);
+    let description = describe("cornell-box", LARGE);
     let mut fresh = open(&description);
     let right = finish(&mut fresh, LONG);
     let mut engine = open(&description);
@@ -104,7 +107,7 @@ fn who_watches_gets_the_same_film() {
 
 #[test]
 fn edits_end_where_a_fresh_engine_begins() {
-    let mut engine = open(&describe("cornell-box", &[("render.spp", "2")]));
+    let mut engine = open(&describe("cornell-box", LARGE));
     engine.set_live(true);
     for round in 0..6 {
         for _ in 0..round {

@@ -286,18 +286,18 @@ pub fn trace_batch(rig: &mut Runtime, params: &TraceParams) {
     rig.play(&recording).unwrap();
 }
 
-/// The same where paths are reused; `params` are of whole blocks.
-pub fn trace_reused_batch(rig: &mut Runtime, params: &TraceParams) {
+/// The same where paths are reused; `params` are of whole blocks. `textured`: materials differ from point to point.
+pub fn trace_reused_batch(rig: &mut Runtime, params: &TraceParams, textured: bool) {
     let pixels = u64::from(params.window_width) * u64::from(params.window_height);
     for (name, bytes) in trace::buffers(pixels, params.layers) {
         rig.reserve(name, bytes).unwrap();
     }
     // All but one at once, so that there are two rounds.
     let at_once = params.layers.max(2) - 1;
-    for (name, bytes) in trace::reuse_buffers(pixels, at_once, false) {
+    for (name, bytes) in trace::reuse_buffers(pixels, at_once, textured) {
         rig.reserve(name, bytes).unwrap();
     }
     let mut recording = Recording::default();
-    trace::record_reused(&mut recording, params, at_once, false);
+    trace::record_reused(&mut recording, params, at_once, textured);
     rig.play(&recording).unwrap();
 }

@@ -9,7 +9,7 @@ use super::camera::camera_ray;
 use super::connect::{LightSample, LightSampler, power_heuristic};
 use super::normals::{bent_to_viewer, smooth_normal};
 use super::pcg4d::pcg4d;
-use super::reuse::{GatherPoint, Lending, LentPoint, tile_key};
+use super::reuse::{GatherPoint, Lending, LentPoint};
 use super::rng::{Source, random_words, sample_key, unit};
 use super::sky::sky_arriving;
 use super::sun::SunDisk;
@@ -89,7 +89,7 @@ impl<'a> PathScene<'a> {
 
     /// The same of a path that lends, if `lends`: what it lends is not in its radiance.
     pub fn walk(&self, params: &TraceParams, pixel: UVec2, sample: u32, lends: bool) -> Walked {
-        let mut key = sample_key(pixel.y * params.film_width + pixel.x, sample, params.seed);
+        let key = sample_key(pixel.y * params.film_width + pixel.x, sample, params.seed);
         let at = pixel.as_dvec2() + self.sampler.sample_2d(key, SLOT_FILM);
         let (mut origin, mut direction) = camera_ray(params, at, || self.sampler.sample_2d(key, LENS_DIMENSIONS));
         let mut throughput = DVec3::ONE;
@@ -162,20 +162,16 @@ impl<'a> PathScene<'a> {
                 traced.radiance += parts[0] * light.arriving * seen;
                 lending.radiance += parts[1] * light.arriving * seen;
             }
-            let lends_now = lends && bounce == 0;
-            let of_direction = if lends_now { tile_key(key, pixel, params.film_width) } else { key };
-            let u = self.sampler.sample_2d(of_direction, first + SLOT_DIRECTION);
+            let u = self.sampler.sample_2d(key, first + SLOT_DIRECTION);
             let drawn = surface.sample(&frame, lobe, u);
             if drawn.weight.max_element() <= 0.0 {
                 break;
             }
             [throughput, lending.throughput] = lending.lend_on(throughput, (&surface, &frame), &drawn);
-            lending.begins = lends_now && drawn.pdf > 0.0;
-            // What has a single direction is the pixel's own, and so are its numbers.
-            key = if drawn.pdf > 0.0 { of_direction } else { key };
+            lending.begins = lends && bounce == 0 && drawn.pdf > 0.0;
             eta_scale /= eta_squared(material, &frame, drawn.direction);
             if self.roulette && bounce >= ROULETTE_BOUNCE {
-                let most = throughput + lending.scale * lending.throughput;
+                let most = throughput + lending.throughput;
                 let survival = (most.max_element() * eta_scale).min(1.0);
                 if roulette >= survival {
                     break;

@@ -1,17 +1,14 @@
 //! What a path lends to its tile, in f64: the twin of `passes/trace/reuse`.
 
-use glam::{DVec3, UVec2};
+use glam::DVec3;
 
 use super::bsdf::{BsdfSample, Reflection, ShadingFrame};
-use crate::layout::trace::{SampleKey, TILE_BLOCK, TILE_KEY, TILE_PIXELS};
 
 /// The part of a path that it lends, from its second surface on.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Lending {
     /// What a unit of radiance along the ray adds to what that surface's diffuse lobe sends on; 0 before it.
     pub throughput: DVec3,
-    /// By how much a pixel sees that, about.
-    pub scale: f64,
     /// Sent on so far.
     pub radiance: DVec3,
     /// The path lends from its next surface on.
@@ -62,28 +59,14 @@ impl Lending {
 
     /// The same of a direction that a surface has drawn; the path goes on for both.
     pub fn lend_on(
-        &mut self,
+        &self,
         throughput: DVec3,
         (surface, frame): (&Reflection, &ShadingFrame),
         drawn: &BsdfSample,
     ) -> [DVec3; 2] {
-        if self.begins {
-            self.scale = throughput.max_element();
-            if drawn.pdf == 0.0 {
-                return [throughput * drawn.weight, DVec3::ZERO];
-            }
+        if self.begins && drawn.pdf == 0.0 {
+            return [throughput * drawn.weight, DVec3::ZERO];
         }
         self.parts_of(throughput, (surface, frame), drawn.direction, drawn.weight, drawn.pdf)
-    }
-}
-
-/// The random numbers of a pixel's path from its first direction on.
-pub fn tile_key(key: SampleKey, pixel: UVec2, film_width: u32) -> SampleKey {
-    let block = pixel / TILE_BLOCK * TILE_BLOCK + pixel % 2;
-    let place = (pixel - block) / 2;
-    SampleKey {
-        pixel: (block.y * film_width + block.x) | TILE_KEY,
-        index: key.index * TILE_PIXELS + place.y * (TILE_BLOCK / 2) + place.x,
-        ..key
     }
 }

@@ -254,8 +254,6 @@ gpu_consts! {
     pub const TILE_PIXELS: u32 = 16;
     /// Sides of the blocks of pixels that hold whole tiles.
     pub const TILE_BLOCK: u32 = 8;
-    /// Sets the random numbers of tiles off from those of pixels.
-    pub const TILE_KEY: u32 = 0x8000_0000;
     /// First bounce after which Russian roulette may end a path: paths of 4 segments are never cut.
     pub const ROULETTE_BOUNCE: u32 = 3;
 }

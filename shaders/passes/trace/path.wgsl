@@ -32,7 +32,7 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{load_leaf, scene_extent};
-@if(reuse) import package::passes::trace::reuse::{begin_lending, end_lending, lend_on, lent, tile_key};
+@if(reuse) import package::passes::trace::reuse::{begin_lending, end_lending, lend_on, lent};
 @if(reuse) import package::passes::trace::reuse::{note_gather_point, note_lent_point};
 @if(lights || sky_light) import package::passes::trace::shadow::{Connection, connect, is_needed, sees_light};
 @if((lights || sky_light) && (alpha || thin)) import package::passes::trace::shadow::{pass_straight};
@@ -138,7 +138,8 @@ fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f3
     let played = (*state).bounce >= ROULETTE_BOUNCE;
     var most = (*state).throughput;
     @if(reuse) {
-        most += lent.scale * lent.throughput;
+        // Somebody in the tile may see it all, however little this pixel does.
+        most += lent.throughput;
     }
     let survival = select(1.0, min(1.0, largest_of(most) * (*state).eta_scale), played);
     (*state).throughput /= survival;
@@ -150,13 +151,7 @@ fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f3
 
 // Draws a new direction from the BSDF of the surface at the end of the ray. Whether the path goes on.
 fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) -> bool {
-    var key = (*state).key;
-    @if(reuse) {
-        if ((*state).bounce == 0u && params.keeps == 0u) {
-            key = tile_key(key, params.film_width);
-        }
-    }
-    let u = sample_2d(key, dimension(state, SLOT_DIRECTION));
+    let u = sample_2d((*state).key, dimension(state, SLOT_DIRECTION));
     let drawn = mixture_sample(surface.material, surface.frame, choices.lobe, u);
     var alive: bool;
     @if(reuse) {
@@ -165,11 +160,7 @@ fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
         lent.throughput = parts.lent;
         alive = check(state, (*state).throughput, LARGEST_F32, surface.index) && check(state, lent.throughput, LARGEST_F32, surface.index);
         alive = alive && largest_of(max((*state).throughput, lent.throughput)) > 0.0;
-        // What has a single direction is the pixel's own, and so are its numbers.
         lent.begins = (*state).bounce == 0u && drawn.pdf > 0.0 && params.keeps == 0u;
-        if (drawn.pdf > 0.0) {
-            (*state).key = key;
-        }
     } @else {
         (*state).throughput *= drawn.weight;
         alive = check(state, (*state).throughput, LARGEST_F32, surface.index);

@@ -4,8 +4,8 @@
 // from everywhere, so it is kept apart from the path's own radiance, as light that all pixels of the tile gather (passes/trace/gather). A tile is
 // every second pixel, either way, of a block of 8 by 8 of the whole film.
 
-import package::gen::{GatherPoint, LentPoint, MaterialRecord, PathState, SampleKey, TraceParams};
-import package::gen::{NO_HIT, NO_MATERIAL, TILE_KEY, TILE_PIXELS};
+import package::gen::{GatherPoint, LentPoint, MaterialRecord, PathState};
+import package::gen::{NO_HIT, NO_MATERIAL};
 @if(cutout) import package::gen::{CUTOUT_DIMENSIONS};
 import package::lib::bsdf::frame::{BsdfSample};
 @if(cutout) import package::lib::rng_pcg::{pcg_words};
@@ -22,8 +22,6 @@ import package::passes::trace::surface::{Surface};
 struct Lent {
     // What a unit of radiance along the ray adds to what the diffuse lobe of y sends on; 0 before y.
     throughput: vec3<f32>,
-    // By how much a pixel sees that, about.
-    scale: f32,
     // Sent on so far.
     radiance: vec3<f32>,
     // The path lends from its next surface on.
@@ -32,23 +30,9 @@ struct Lent {
 
 var<private> lent: Lent;
 
-// The pixel's place in its tile, 0 to TILE_PIXELS - 1.
-fn slot_of(pixel: vec2<u32>) -> u32 {
-    return ((pixel.x >> 1u) & 3u) + 4u * ((pixel.y >> 1u) & 3u);
-}
-
-// The random numbers of a pixel's path from x on: those of a tile are one sequence, so that its directions are spread as if they were one
-// pixel's.
-fn tile_key(key: SampleKey, film_width: u32) -> SampleKey {
-    let pixel = vec2<u32>(key.pixel % film_width, key.pixel / film_width);
-    // All but the bits that tell the places in a tile.
-    let first = pixel & vec2<u32>(~6u);
-    return SampleKey((first.y * film_width + first.x) | TILE_KEY, key.index * TILE_PIXELS + slot_of(pixel), key.half, key.seed);
-}
-
 // A path begins, and so far has nothing to lend. `place` is that of the pixel's record.
 fn begin_lending(place: u32) {
-    lent = Lent(vec3<f32>(0.0), 0.0, vec3<f32>(0.0), false);
+    lent = Lent(vec3<f32>(0.0), vec3<f32>(0.0), false);
     gather_points[place].material = NO_MATERIAL;
     lent_points[place].triangle = NO_HIT;
 }
@@ -106,12 +90,9 @@ fn parts_of(state: PathState, surface: Surface, direction: vec3<f32>, weight: ve
 
 // Of a direction that y has drawn. The path goes on for both.
 fn lend_on(state: PathState, surface: Surface, drawn: BsdfSample) -> Parts {
-    if (lent.begins) {
-        lent.scale = largest_of(state.throughput);
-        // A lobe of a single direction is seen from one place.
-        if (drawn.pdf == 0.0) {
-            return Parts(state.throughput * drawn.weight, vec3<f32>(0.0));
-        }
+    // A lobe of a single direction is seen from one place.
+    if (lent.begins && drawn.pdf == 0.0) {
+        return Parts(state.throughput * drawn.weight, vec3<f32>(0.0));
     }
     return parts_of(state, surface, drawn.direction, drawn.weight, drawn.pdf);
 }
