@@ -132,7 +132,7 @@ fn roulette_spares_paths_inside_glass() {
     // A rounding below 1 ends one path in 2^22.
     assert_eq!(rays(Library::shipped()), 0, "paths ended early");
     let text = std::fs::read_to_string("shaders/passes/trace/path.wgsl").unwrap();
-    let wrong = text.replace("largest_of((*state).throughput) * (*state).eta_scale", "largest_of((*state).throughput)");
+    let wrong = text.replace("largest_of(most) * (*state).eta_scale", "largest_of(most)");
     assert_ne!(text, wrong);
     assert!(rays(Library::shipped().with("passes/trace/path", &wrong)) > 100, "no path was in the glass");
 }

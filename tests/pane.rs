@@ -127,7 +127,7 @@ fn an_error_in_what_panes_let_through_is_seen() {
     let room = Room { next_event: true, ..conservatory(20.0, 0.02) };
     let (path, shadow) = ("passes/trace/path", "passes/trace/shadow");
     let mistakes = [
-        (shadow, "(*connection).light *= passed_straight(", "(*connection).light *= 1.02 * passed_straight("),
+        (shadow, "let passed = passed_straight(", "let passed = 1.02 * passed_straight("),
         (shadow, "params.max_depth - 2u - state.bounce", "0u"),
         (path, "select(drawn.pdf, (*state).pdf, straight)", "drawn.pdf"),
         (path, "distance += (*state).passed;", "distance += 0.0;"),

@@ -55,7 +55,7 @@ const LIGHT: &str = "lib/light";
 const SAMPLING: &str = "lib/sampling";
 const FOUND: &str = "light *= power_heuristic((*state).pdf, light_pdf(params, material, mean, area_normal, (*state).direction, distance));";
 const SAMPLED: &str = "var weight = power_heuristic(drawn.pdf, at.pdf);";
-const SURVIVAL: &str = "largest_of((*state).throughput) * (*state).eta_scale";
+const SURVIVAL: &str = "largest_of(most) * (*state).eta_scale";
 
 pub const WRONG: &[Edit] = &[
     gross("half of diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.5 * INV_PI * cos_theta)")]),
@@ -69,7 +69,10 @@ pub const WRONG: &[Edit] = &[
     edit("a diffuse pdf 1 % too low", &[change(LAMBERT, "return INV_PI *", "return 0.99 * INV_PI *")]),
     gross("the wrong side", &[change(SURFACE, "select(unit, -unit, back_face)", "select(-unit, unit, back_face)")]),
     edit("roulette without its due", &[change(PATH, "(*state).throughput /= survival;", "")]),
-    edit("1 % more after each bounce", &[change(PATH, "/= survival", "/= 0.99 * survival")]),
+    edit(
+        "1 % more after each bounce",
+        &[change(PATH, "(*state).throughput /= survival", "(*state).throughput /= 0.99 * survival")],
+    ),
     edit("paths of three segments", &[change(PATH, "1u < params.max_depth", "1u < min(3u, params.max_depth)")]),
     edit("the light's cosine forgotten", &[change(CONNECT, "(t * t / cos_light)", "(t * t)")]),
     edit("1 % of the distance", &[change(CONNECT, "(t * t / cos_light)", "(1.01 * t * t / cos_light)")]),
@@ -109,11 +112,8 @@ pub const RIGHT: &[Edit] = &[
     ),
     edit("later roulette", &[change(PATH, ">= ROULETTE_BOUNCE", ">= ROULETTE_BOUNCE + 8u")]),
     edit("earlier roulette", &[change(PATH, ".bounce >= ROULETTE_BOUNCE", ".bounce + 2u >= ROULETTE_BOUNCE")]),
-    edit(
-        "milder roulette",
-        &[change(PATH, SURVIVAL, "0.5 + 0.5 * largest_of((*state).throughput) * (*state).eta_scale")],
-    ),
-    edit("harsher roulette", &[change(PATH, SURVIVAL, "0.5 * largest_of((*state).throughput) * (*state).eta_scale")]),
+    edit("milder roulette", &[change(PATH, SURVIVAL, "0.5 + 0.5 * largest_of(most) * (*state).eta_scale")]),
+    edit("harsher roulette", &[change(PATH, SURVIVAL, "0.5 * largest_of(most) * (*state).eta_scale")]),
     edit(
         "light is found and never sampled",
         &[change(PATH, FOUND, "light *= 1.0;"), change(SHADOW, SAMPLED, "var weight = 0.0;")],

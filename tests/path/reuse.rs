@@ -88,8 +88,8 @@ fn finds_what_paths_of_their_own_find() {
 
 /// Whether reused paths find the same as others, on other random numbers.
 fn compare_with_own(room: &Room, library: Library) -> Result<(), String> {
-    // One block, whose pixels see all of the room: 460,000 paths each.
-    let layers = if support::stress() { 1024 } else { 224 };
+    // One block, whose pixels see all of the room: 820,000 paths each.
+    let layers = if support::stress() { 1024 } else { 400 };
     let params = TraceParams { layers, seed: 1, ..room.params(UVec2::splat(8)) };
     let own = TraceParams { seed: 2, ..params };
     compare(reusing(room, library, &params), kernel(room, Library::shipped(), &own))

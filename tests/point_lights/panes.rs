@@ -30,7 +30,7 @@ fn equals_the_f64_twin() {
     let shadow = "passes/trace/shadow";
     let mistakes = [
         (shadow, "params.max_depth - 2u - state.bounce", "0u"),
-        (shadow, "(*connection).light *= passed_straight(", "(*connection).light *= 1.02 * passed_straight("),
+        (shadow, "let passed = passed_straight(", "let passed = 1.02 * passed_straight("),
         (shadow, "connection.enough = 0.0;", "connection.enough *= 1.0;"),
     ];
     sees_mistakes(&glazed(), &mistakes);

@@ -73,19 +73,15 @@ fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, materi
     return good;
 }
 
-// Adds to the pixel, and `lent_light` to what the path lends; whether the path is still good.
-@if(reuse)
-fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, lent_light: vec3<f32>, material: u32) -> bool {
-    lent.radiance += lent_light;
+// Adds to the pixel, and where paths are reused `lent_light` to what the path lends; whether the path is still good.
+fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, @if(reuse) lent_light: vec3<f32>, material: u32) -> bool {
     (*state).radiance += light;
-    return check(state, (*state).radiance, params.largest, material) && check(state, lent.radiance, params.largest, material);
-}
-
-// Adds to the pixel; whether the path is still good.
-@if(!reuse)
-fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> bool {
-    (*state).radiance += light;
-    return check(state, (*state).radiance, params.largest, material);
+    var good = check(state, (*state).radiance, params.largest, material);
+    @if(reuse) {
+        lent.radiance += lent_light;
+        good = good && check(state, lent.radiance, params.largest, material);
+    }
+    return good;
 }
 
 // `pixel` in the whole film, `sample` a film sample: even ones belong to half 0, odd ones to half 1.
@@ -252,12 +248,8 @@ fn shade(state: ptr<function, PathState>, hit: Hit, @if(reuse) place: u32) -> Sh
     }
     let light = incident_radiance(state, hit, material, mean, area_normal);
     var shaded: Shaded;
-    let seen = select(triangle.material, NO_MATERIAL, missed);
-    @if(reuse) {
-        shaded.alive = add_radiance(state, (*state).throughput * light, lent.throughput * light, seen);
-    } @else {
-        shaded.alive = add_radiance(state, (*state).throughput * light, seen);
-    }
+    let material_seen = select(triangle.material, NO_MATERIAL, missed);
+    shaded.alive = add_radiance(state, (*state).throughput * light, @if(reuse) lent.throughput * light, material_seen);
     if (shaded.alive && !missed && (*state).bounce + 1u < params.max_depth) {
         var frame = shading_frame_at(triangle, hit, area_normal, -(*state).direction);
         var normal = frame.shading;
@@ -335,11 +327,7 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
             if (is_shadow_ray) {
                 let seen = sees_light(connection, hit);
                 if (seen) {
-                    @if(reuse) {
-                        alive = add_radiance(&state, connection.light, connection.lent, NO_MATERIAL) && alive;
-                    } @else {
-                        alive = add_radiance(&state, connection.light, NO_MATERIAL) && alive;
-                    }
+                    alive = add_radiance(&state, connection.light, @if(reuse) connection.lent, NO_MATERIAL) && alive;
                 }
                 is_shadow_ray = false;
                 @if(alpha || thin) {

@@ -53,12 +53,13 @@ fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u
         @if(lights && point_lights) {
             weight = select(weight, 1.0, is_point(drawn));
         }
+        let arriving = drawn.radiance * (weight / drawn.pdf);
         @if(reuse) {
             let parts = parts_of(state, surface, drawn.direction, at.value, 1.0);
-            light = parts.own * drawn.radiance * (weight / drawn.pdf);
-            lent_light = parts.lent * drawn.radiance * (weight / drawn.pdf);
+            light = parts.own * arriving;
+            lent_light = parts.lent * arriving;
         } @else {
-            light = state.throughput * at.value * drawn.radiance * (weight / drawn.pdf);
+            light = state.throughput * at.value * arriving;
         }
     }
     let origin = offset_ray_origin(surface.position, surface.error, surface.frame.geometric, drawn.direction);
