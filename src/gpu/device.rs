@@ -3,13 +3,15 @@
 use std::sync::{Arc, Mutex};
 
 use super::{GpuError, room};
+use crate::shader::BALLOTS;
 
 /// The environment variable that picks an adapter by its number in `lucerna doctor`.
 const ADAPTER_VARIABLE: &str = "LUCERNA_ADAPTER";
 
 /// Features that are used where they are there; each has a fallback.
 fn wanted_features() -> wgpu::Features {
-    wgpu::Features::TIMESTAMP_QUERY
+    wgpu::Features::SUBGROUP
+        | wgpu::Features::TIMESTAMP_QUERY
         | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS
         | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES
 }
@@ -194,7 +196,18 @@ impl Gpu {
 
     /// What shaders may know of the device, as features that they are linked with.
     pub fn shader_features(&self) -> &'static [&'static str] {
-        if self.is_software() { &["software"] } else { &[] }
+        match (self.is_software(), self.has_ballots()) {
+            (false, false) => &[],
+            (false, true) => &[BALLOTS],
+            (true, false) => &["software"],
+            (true, true) => &["software", BALLOTS],
+        }
+    }
+
+    /// Whether subgroups have operations, and 32 threads whatever the driver chooses.
+    fn has_ballots(&self) -> bool {
+        let sizes = [self.info.subgroup_min_size, self.info.subgroup_max_size];
+        self.features.contains(wgpu::Features::SUBGROUP) && sizes == [32, 32]
     }
 
     /// Waits until all that was submitted is done.

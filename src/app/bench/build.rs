@@ -29,6 +29,7 @@ fn case(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Case, BenchError> {
     let triangles = spheres(count, SEED);
     let count = triangles.len() as u32;
     let mut rig = Runtime::new(gpu.clone(), Library::shipped());
+    rig.set_features(gpu.shader_features());
     for (name, bytes) in (PLAN.buffers)(count) {
         rig.reserve(name, bytes)?;
     }
