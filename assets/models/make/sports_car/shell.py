@@ -85,7 +85,7 @@ def mouths(skin):
     for name, (outline, _) in MOUTHS.items():
         hole = Outline(outline, FRONT, .03)
         funnel = lambda p: -.002 - FUNNEL * (1 - np.clip(hole(p) / FRAME, 0, 1))
-        row = [skin.part(name + "_frame", "gloss_black", {name + "_frame"}, offset=funnel, fold=.01),
+        row = [skin.part(name + "_frame", "paint", {name + "_frame"}, offset=funnel, fold=.02, lip=.005),
                skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-FUNNEL - .008, fold=.03, lip=.003),
                skin.part(name + "_walls", "trim_black", {name, name + "_bar"}, offset=-FUNNEL, fold=.14, lip=.004, walls=True)]
         for part in row:
@@ -100,7 +100,7 @@ def openings(skin):
     out += pair(skin.part("bonnet_vent_frame", "gloss_black", {"bonnet_vent_frame"}, offset=-.002, fold=.01))
     out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=.001, fold=.07, lip=.004))
     out += pair(skin.part("vent_blades", "gloss_black", {"vent_blade"}, offset=-.004, fold=.02, lip=.003))
-    for name, depth, axes, back, ahead in (("vent", .025, (0, 1), .06, (0, 0, 1.0)), ("intake", .15, (2, 1), .20, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
+    for name, depth, axes, back, ahead in (("vent", .045, (0, 1), .09, (0, 0, 1.0)), ("intake", .15, (2, 1), .20, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
         push = lambda d: (lambda p, n: p + np.array(ahead) * d)
         out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, fold=back, lip=.004, walls=True))
         out += pair(planar(skin.part(name + "_mesh", "grille", {name, name + "_blade"}, shift=push(depth)), axes, 14))
