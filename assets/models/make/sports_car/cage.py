@@ -6,6 +6,7 @@ Metres; x is to the left, y up, z ahead; z = 0 is half-way between the axles. A 
 
 import numpy as np
 
+from fair import fair
 from skin import Skin
 from subdivide import subdivide
 
@@ -53,6 +54,9 @@ REAR = ((.785, -2.080), (.622, -2.055), (.520, -2.160), (.345, -2.130))
 CREASES = ((2, 7, 13, .7), (3, 7, 12, 1.6), (5, 1, 4, 1.4), (5, 4, 16, 4.0), (4, 0, 6, .4), (6, 4, 6, 1.6), (6, 6, 12, 4.5), (6, 12, 13, 1.6), (8, 4, 6, 1.3), (8, 6, 12, 3.6))
 # Of the rear face: sharpness along its rows.
 REAR_CREASES = ((2, 1.2), (3, 2.0))
+
+# Rounds of fairing at four levels of subdivision.
+ROUNDS = 40
 
 
 def cage():
@@ -159,7 +163,10 @@ def body(levels=4):
     index = {v: i for i, v in enumerate(used)}
     half = points[used]
     half[np.abs(half[:, 0]) < 1e-7, 0] = 0
-    skin = Skin(sculpt(half), [[index[v] for v in faces[k]] for k in keep],
+    quads = [[index[v] for v in faces[k]] for k in keep]
+    # The finer the surface, the less of it a round reaches.
+    half = fair(half, quads, round(ROUNDS * 4.0 ** (levels - 4)))
+    skin = Skin(sculpt(half), quads,
                 [tags[history[0][k]] for k in keep], [history[levels - 1][k] for k in keep], [history[levels - 2][k] for k in keep])
     skin.shade()
     return skin
