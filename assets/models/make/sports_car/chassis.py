@@ -63,7 +63,7 @@ def splitter(skin):
     t = np.gradient(p, axis=0)
     out = unit(np.stack([-t[:, 1], t[:, 0]], 1))
     out[0] = (0, 1)
-    grow = np.interp(p[:, 0], [0, .5, .80, .90], [.022, .020, .016, .008])[:, None]
+    grow = np.interp(p[:, 0], [0, .5, .80, .90], [.046, .044, .036, .010])[:, None]
     outer = p + out * grow
     inner = p - out * .05
     outline = np.concatenate([outer, inner[::-1], (inner * (-1, 1))[1:], (outer * (-1, 1))[::-1][:-1]])
