@@ -83,6 +83,11 @@ def fine(tag):
     return (i < 4 and j > 2) or (5 < i < 13 and j in (1, 2)) or i > 14 or (i > 11 and j == 1) or (i in (6, 7) and j < 3)
 
 
+def bumper(p):
+    """How far above the front bumper's seam, along the surface, which lies flatter towards the middle."""
+    return (p[:, 1] - np.interp(p[:, 0], *BUMPER.T)) * np.interp(p[:, 0], (0, .6, .85, .96), (2.4, 2.2, 1.6, .9))
+
+
 def sill(p):
     """Below the line that parts the skirt from the flank, which rises towards both wheels."""
     return p[:, 1] - .152 - .040 * np.clip((-.1 - p[:, 2]) / .8, 0, 1) ** 2 - .020 * np.clip((p[:, 2] - .45) / .45, 0, 1) ** 2
@@ -107,11 +112,11 @@ def cut(skin):
     for z, y, r in ARCHES:
         skin.region("hole", circle((z, y), r), side)
     pick = lambda where, label: (lambda t, l: l == label and where(t, l))
-    lamp = Outline(LAMP, TOP, .008)
-    skin.panel("lamp", lamp, nose, GAP)
-    skin.panel("bumper", lambda p: (p[:, 1] - np.interp(p[:, 0], *BUMPER.T)) * .8, around_front, GAP)
     skin.panel("bonnet", Outline(BONNET, TOP, .02), nose_or_cowl, GAP)
     skin.region("cowl", Outline(COWL, TOP, .02), lambda t, l: nose_or_cowl(t, l) and l == "body" and t[1] > 2)
+    # Each takes what it covers of the one before, so that their gaps meet.
+    skin.panel("bumper", bumper, around_front, GAP, ("body", "bonnet"))
+    skin.panel("lamp", Outline(LAMP, TOP, .008), nose, GAP, ("body", "bonnet", "bumper"))
     skin.panel("door", Outline(DOOR, SIDE, (0, .06, .1, .15, .08, .07, .07, .08, .1, .1, .06, 0)), flank, GAP)
     skin.panel("tail_bumper", Outline(REAR_BUMPER, SIDE, (0, .05, .1, 0, 0, 0)), around_rear, GAP)
     skin.panel("lid", Outline(LID, TOP, .05), deck, GAP)
