@@ -45,6 +45,7 @@ mod obj;
 mod oracle;
 mod outliers;
 mod pane;
+mod parallel;
 mod parameters;
 mod passes;
 mod path;
