@@ -42,6 +42,7 @@ mod morton;
 mod mtl;
 mod mtl_maps;
 mod obj;
+mod obj_pieces;
 mod oracle;
 mod outliers;
 mod pane;
