@@ -27,6 +27,7 @@ use clap::{CommandFactory, Parser};
 pub use shared::failure::{Exit, Failure};
 
 use arguments::{Arguments, Command};
+use shared::interrupt::end_of_main;
 use window::ViewArguments;
 
 /// Runs the command line of this process.
@@ -69,10 +70,10 @@ pub fn main() -> ExitCode {
         Command::Edits(edits) => edits::run(&edits),
     };
     match result {
-        Ok(exit) => ExitCode::from(exit),
+        Ok(exit) => end_of_main(exit),
         Err(failure) => {
             failure.show();
-            ExitCode::from(failure.exit)
+            end_of_main(failure.exit)
         }
     }
 }

@@ -194,6 +194,12 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
+    /// Whether the process may end while the device is open. NVIDIA's driver has compiled shaders in its cache by the time they run, and takes
+    /// a tenth of a second to close. Mesa's writes its cache in a thread that is waited for where devices are closed in order.
+    pub fn may_be_left_open(&self) -> bool {
+        self.info.driver == "NVIDIA"
+    }
+
     /// What shaders may know of the device, as features that they are linked with.
     pub fn shader_features(&self) -> &'static [&'static str] {
         match (self.is_software(), self.has_ballots()) {

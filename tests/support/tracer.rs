@@ -153,7 +153,12 @@ impl Tracer {
         self.root = root(tree.leaves.len() as u32);
     }
 
-    fn run<T: bytemuck::AnyBitPattern>(&mut self, pass: &'static Pass, rays: &[Ray], out: &'static str) -> Vec<T> {
+    fn run<T: bytemuck::AnyBitPattern + Send>(
+        &mut self,
+        pass: &'static Pass,
+        rays: &[Ray],
+        out: &'static str,
+    ) -> Vec<T> {
         for (name, bytes) in extend::buffers(rays.len() as u32) {
             self.rig.reserve(name, bytes).unwrap();
         }

@@ -161,7 +161,7 @@ fn tell(summary: &JudgeSummary, radiance: &[[f32; 3]], outputs: &mut Outputs) ->
     let metadata = summary.metadata();
     let report = &serde_json::Value::Null;
     let picture = Picture { size: film.size, window, linear: radiance, display: &display, metadata: &metadata, report };
-    let failures = outputs.write(&picture, |names| summary.json(names));
+    let failures = outputs.write(&picture, |written| summary.json(&written.names()));
     failures.iter().for_each(|failure| show(failure));
     let names = outputs.names();
     if !arguments.quiet {

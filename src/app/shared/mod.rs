@@ -9,6 +9,7 @@ pub(super) mod flip;
 pub(super) mod interrupt;
 pub(super) mod key;
 pub(super) mod looks;
+pub(super) mod opening;
 pub(super) mod output;
 pub(super) mod parameters;
 pub(super) mod pictures;
