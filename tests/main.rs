@@ -20,6 +20,7 @@ mod docs;
 mod edits;
 mod engine;
 mod environment;
+mod export;
 mod extend;
 #[cfg(unix)]
 mod files;
