@@ -241,7 +241,7 @@ impl Surfaces<'_> {
             }
             Lobe::Phong(exponent) => {
                 let text = format!(
-                    "Mitsuba has no Phong lobe (Ns {exponent}): it is a `roughconductor` of Beckmann's microfacets, as wide about the mirror direction"
+                    "Mitsuba has no Phong lobe (Ns {exponent}): it is a `roughconductor` of Beckmann's microfacets, as wide about the mirror direction, which does not grow darker as Phong's does where light grazes"
                 );
                 self.notes.say_of(name, "ns", text);
                 ("beckmann", Box::new(move |texel| (1.0 / (2.0 * exponent * texel + 1.0)).sqrt().max(LEAST_ALPHA)))
