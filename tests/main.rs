@@ -49,6 +49,7 @@ mod pane;
 mod parameters;
 mod passes;
 mod path;
+mod peers;
 mod pictures;
 mod player;
 mod point_lights;

@@ -225,6 +225,7 @@ impl Rig<'_> {
 /// Writes all files, and says what they hold. False where one could not be written.
 fn tell(bench: &Bench, verdicts: &[Verdict], arguments: &PeersArguments) -> Result<bool, Failure> {
     if verdicts.is_empty() {
+        output::note("nothing was measured: nothing was written");
         return Ok(true);
     }
     let json = serde_json::json!({ "bench": bench, "verdicts": verdicts });

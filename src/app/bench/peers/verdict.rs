@@ -121,12 +121,16 @@ impl Verdict {
             spread(difference, standard_error),
             mean * 100.0
         );
-        let mut text = match agree {
-            true => format!("{scene}: the references of Lucerna and {peer} agree: {found}.\n"),
-            false => format!(
-                "{scene}: no verdict: the references of Lucerna and {peer} are not the same picture: {found}.\n"
-            ),
+        let text = match agree {
+            true => format!("the references of Lucerna and {peer} agree"),
+            false if difference < 3.0 * standard_error => {
+                format!(
+                    "no verdict: the references of Lucerna and {peer} are too noisy, give them a larger --reference-spp"
+                )
+            }
+            false => format!("no verdict: the references of Lucerna and {peer} are not the same picture"),
         };
+        let mut text = format!("{scene}: {text}: {found}.\n");
         self.notes.iter().for_each(|note| text += &format!("  {note}\n"));
         text
     }
