@@ -63,7 +63,7 @@ struct Rig<'a> {
     library: Library,
     python: Python,
     variant: Variant,
-    /// Of the script and of what Mitsuba writes.
+    /// Of what Mitsuba writes.
     folder: tempfile::TempDir,
 }
 

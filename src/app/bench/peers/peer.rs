@@ -79,7 +79,8 @@ impl Answer {
 }
 
 impl Peer {
-    /// Starts it on a scene's file, with pictures of `size`. The script and the pictures are in `folder`. None if a signal came before it was
+    /// Starts it on a scene's file, with pictures of `size`. Its script is beside that, and its pictures are in
+    /// `folder`. None if a signal came before it was
     /// ready.
     pub fn start(
         python: &Python,
@@ -88,7 +89,7 @@ impl Peer {
         folder: &Path,
         (interrupt, quiet): (&Interrupt, bool),
     ) -> Result<Option<Self>, BenchError> {
-        let script = folder.join("peer.py");
+        let script = scene.with_file_name("peer.py");
         file::write_text(&script, SCRIPT)?;
         let mut command = Command::new(&python.path);
         command.arg(&script).arg(variant).arg(scene);
