@@ -20,6 +20,7 @@ mod docs;
 mod edits;
 mod engine;
 mod environment;
+mod export;
 mod extend;
 #[cfg(unix)]
 mod files;
@@ -50,6 +51,7 @@ mod parallel;
 mod parameters;
 mod passes;
 mod path;
+mod peers;
 mod pictures;
 mod player;
 mod point_lights;

@@ -9,6 +9,7 @@ mod check;
 mod compare;
 mod doctor;
 pub mod edits;
+pub mod export;
 pub mod help;
 pub mod judge;
 mod new;
@@ -68,6 +69,7 @@ pub fn main() -> ExitCode {
         Command::Bench(bench) => bench.run(),
         Command::Judge(judge) => judge::run(&judge),
         Command::Edits(edits) => edits::run(&edits),
+        Command::Export(export) => export::run(&export),
     };
     match result {
         Ok(exit) => end_of_main(exit),
