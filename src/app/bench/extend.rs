@@ -103,7 +103,7 @@ fn check(kind: &str, tree: &Tree, rays: &[Ray], hits: &[Hit]) -> Result<(), Benc
     Ok(())
 }
 
-/// All hits against those of the walk for the other kind of device, through nodes of two children or of four: they are the same to the bit.
+/// All hits against those of the walk for the other kind of device: they are the same to the bit.
 fn check_walks(rig: &mut Runtime, kind: &str, recording: &Recording, hits: &[Hit]) -> Result<(), BenchError> {
     let gpu = rig.gpu().clone();
     rig.set_features(if gpu.is_software() { &[] } else { &["software"] });
