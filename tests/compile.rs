@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use glam::UVec2;
 use lucerna::cpu::rng::Source;
 
-use crate::rooms::{Room, trace_batch};
+use crate::rooms::{Room, trace_batch, trace_reused_batch};
 use crate::support;
 use crate::support::patience::processor_time;
 
@@ -24,6 +24,12 @@ const COATED: f64 = 1.5;
 
 /// Variable of the child that gives everything a coat.
 const COAT: &str = "LUCERNA_TEST_COAT";
+
+/// Where paths are reused there is a second kernel, with the walk and the surface once more, compiled behind the first here.
+const REUSED: f64 = 2.0;
+
+/// Variable of the child whose paths are reused.
+const REUSE: &str = "LUCERNA_TEST_REUSE";
 
 /// Times in the child's output.
 const MARK: &str = "path kernel, cold, milliseconds: ";
@@ -49,15 +55,18 @@ fn kind_of_driver() -> usize {
 }
 
 /// Links, compiles and first runs the kernel with every feature of a Cornell box, where everything may have a coat.
-fn compile(coat: f32) -> Duration {
-    let mut room = Room { roulette: true, next_event: true, sampler: Source::Sobol, ..Room::cornell() };
+fn compile(coat: f32, reuse: bool) -> Duration {
+    let mut room = Room { roulette: true, reuse, next_event: true, sampler: Source::Sobol, ..Room::cornell() };
     room.materials.iter_mut().for_each(|material| (material.coat, material.coat_alpha) = (coat, 0.1 * coat));
     let mut rig = support::rig();
     room.load(&mut rig);
     let params = room.params(UVec2::splat(8));
     rig.wait().unwrap();
     let start = clock();
-    trace_batch(&mut rig, &params);
+    match reuse {
+        true => trace_reused_batch(&mut rig, &params, false),
+        false => trace_batch(&mut rig, &params),
+    }
     rig.wait().unwrap();
     clock() - start
 }
@@ -66,28 +75,37 @@ fn compile(coat: f32) -> Duration {
 #[ignore = "runs in processes of their own, started by the test below"]
 fn compile_alone() {
     let coat = std::env::var(COAT).map_or(0.0, |coat| coat.parse().unwrap());
-    let took: Vec<_> = (0..5).map(|_| compile(coat).as_millis().to_string()).collect();
+    let reuse = std::env::var_os(REUSE).is_some_and(|on| on == "true");
+    let took: Vec<_> = (0..5).map(|_| compile(coat, reuse).as_millis().to_string()).collect();
     println!("\n{MARK}{}", took.join(" "));
 }
 
 /// The least of five cold times.
-fn least(coat: f32) -> Duration {
+fn least(coat: f32, reuse: bool) -> Duration {
     let child = Command::new(std::env::current_exe().unwrap())
         .args(["compile::compile_alone", "--exact", "--ignored", "--nocapture"])
-        .envs([("MESA_SHADER_CACHE_DISABLE", "true"), ("__GL_SHADER_DISK_CACHE", "0"), (COAT, &coat.to_string())])
+        .envs([
+            ("MESA_SHADER_CACHE_DISABLE", "true"),
+            ("__GL_SHADER_DISK_CACHE", "0"),
+            (COAT, &coat.to_string()),
+            (REUSE, &reuse.to_string()),
+        ])
         .output()
         .unwrap();
     let text = String::from_utf8_lossy(&child.stdout);
     let times = text.lines().find_map(|line| line.strip_prefix(MARK)).unwrap_or_else(|| panic!("no times in: {text}"));
-    println!("coat {coat}, {MARK}{times}");
+    println!("coat {coat}, reuse {reuse}, {MARK}{times}");
     Duration::from_millis(times.split(' ').map(|ms| ms.parse::<u64>().unwrap()).min().unwrap())
 }
 
 #[test]
 fn the_path_kernel_compiles_within_its_budget() {
     let budget = BUDGETS[kind_of_driver()].mul_f64(NOISE);
-    for (coat, budget) in [(0.0, budget), (1.0, budget.mul_f64(COATED))] {
-        let least = least(coat);
-        assert!(least <= budget, "the path kernel, coat {coat}, took {least:?} to compile, cold");
+    for (coat, reuse, factor) in [(0.0, false, 1.0), (1.0, false, COATED), (0.0, true, REUSED)] {
+        let least = least(coat, reuse);
+        assert!(
+            least <= budget.mul_f64(factor),
+            "the path kernel, coat {coat}, reuse {reuse}, took {least:?} to compile, cold"
+        );
     }
 }

@@ -48,7 +48,7 @@ fn add(rig: &mut Runtime, params: &TraceParams, first_sample: u32, samples: &[Ra
     rig.upload("radiance", samples).unwrap();
     let params = TraceParams { first_sample, layers: samples.len() as u32 / pixels(params), ..*params };
     let mut recording = Recording::default();
-    film::record_accumulate(&mut recording, &params, exponent, &params);
+    film::record_accumulate(&mut recording, &film::accumulate_params(&params, exponent, &params));
     rig.play(&recording).unwrap();
 }
 
@@ -174,7 +174,7 @@ fn a_batch_of_some_pixels_equals_the_twin_and_touches_no_other() {
         reset(&mut rig, &whole);
         rig.upload("radiance", &samples).unwrap();
         let mut recording = Recording::default();
-        film::record_accumulate(&mut recording, &batch, 40, &whole);
+        film::record_accumulate(&mut recording, &film::accumulate_params(&batch, 40, &whole));
         rig.play(&recording).unwrap();
         let (film, counters) = read(&rig, &whole);
         let mut right = vec![FilmPixel::default(); pixels(&whole) as usize];

@@ -110,6 +110,28 @@ fn noise_is_not_taken_for_a_difference() {
     assert!(same.list.iter().all(|block| block.relative == 0.0));
 }
 
+/// The same picture where the 16 pixels of a tile, every second one of an 8 by 8 block, share most of their noise.
+fn tiled(seed: u32, spread: f64, factor: f64) -> Vec<[f32; 3]> {
+    let own = noisy(seed, 0.3 * spread, false, factor);
+    let tile = |x: u32, y: u32| (y / 8 * 2 + y % 2) * 1000 + x / 8 * 2 + x % 2;
+    let shared = |pixel: u32| uniform(seed ^ 0x5555, tile(pixel % SIZE.x, pixel / SIZE.x))[1];
+    let noise = |pixel: u32| (1.0 + spread * 3f64.sqrt() * (2.0 * shared(pixel) - 1.0)) as f32;
+    own.into_iter().enumerate().map(|(pixel, rgb)| rgb.map(|channel| channel * noise(pixel as u32))).collect()
+}
+
+#[test]
+fn noise_that_neighbours_share_is_not_taken_for_a_difference() {
+    for seed in 0..50 {
+        let (one, other) = (tiled(2 * seed, 0.2, 1.0), tiled(2 * seed + 1, 0.2, 1.0));
+        assert!(!differ(&one, &other), "seed {seed}");
+        let alone = blocks(&noisy(2 * seed, 0.2, false, 1.0), &noisy(2 * seed + 1, 0.2, false, 1.0)).common_noise;
+        let shared = blocks(&one, &other).common_noise;
+        assert!(alone == [1.0; 3] && shared.iter().all(|factor| (4.0..40.0).contains(factor)), "{alone:?}, {shared:?}");
+    }
+    // And a difference is still found, of 4 % where the whole picture is sure to 0.4 %.
+    assert!(differ(&tiled(1, 0.05, 1.04), &tiled(2, 0.05, 1.0)));
+}
+
 /// 1 % more light everywhere: by noise of 5 % the whole picture's standard error is 0.08 %, so z is about 12.
 #[test]
 fn a_bias_of_one_percent_is_found() {

@@ -97,8 +97,8 @@ fn recordings(purpose: Makes) -> Vec<Recording> {
             let params = TraceParams { window_width: 1, window_height: 1, layers: 1, ..TraceParams::default() };
             vec![record(&|recording| {
                 film::record_reset(recording, 1);
-                trace::record(recording, &params);
-                film::record_accumulate(recording, &params, 0, &params);
+                trace::record_reused(recording, &params, 1, false);
+                film::record_accumulate(recording, &film::accumulate_params(&params, 0, &params));
             })]
         }
         Makes::Picture => {

@@ -34,6 +34,8 @@ pub struct Room {
     /// Asked directly by both integrators.
     pub points: Vec<PointLightRecord>,
     pub roulette: bool,
+    /// Paths are reused within tiles.
+    pub reuse: bool,
     pub sampler: Source,
     /// Integrator `Path`: lights are asked directly.
     pub next_event: bool,
@@ -232,6 +234,7 @@ impl Room {
             sun: self.sun.is_some(),
             normals,
             roulette,
+            reuse: self.reuse,
             lights,
             point_lights: !self.points.is_empty(),
             lens: self.lens.aperture > 0.0,
@@ -280,5 +283,21 @@ pub fn trace_batch(rig: &mut Runtime, params: &TraceParams) {
     }
     let mut recording = Recording::default();
     trace::record(&mut recording, params);
+    rig.play(&recording).unwrap();
+}
+
+/// The same where paths are reused; `params` are of whole blocks. `textured`: materials differ from point to point.
+pub fn trace_reused_batch(rig: &mut Runtime, params: &TraceParams, textured: bool) {
+    let pixels = u64::from(params.window_width) * u64::from(params.window_height);
+    for (name, bytes) in trace::buffers(pixels, params.layers) {
+        rig.reserve(name, bytes).unwrap();
+    }
+    // All but one at once, so that there are two rounds.
+    let at_once = params.layers.max(2) - 1;
+    for (name, bytes) in trace::reuse_buffers(pixels, at_once, textured) {
+        rig.reserve(name, bytes).unwrap();
+    }
+    let mut recording = Recording::default();
+    trace::record_reused(&mut recording, params, at_once, textured);
     rig.play(&recording).unwrap();
 }

@@ -67,6 +67,8 @@ pub struct Render {
     pub max_depth: u32,
     /// End paths of little throughput early, unbiased.
     pub roulette: bool,
+    /// Of integrator `Path` alone.
+    pub reuse: Reuse,
     pub energy: Energy,
     pub texture_filter: TextureFilter,
     pub diffuse_map: DiffuseMap,
@@ -93,6 +95,7 @@ impl Default for Render {
             sampler: Sampler::default(),
             max_depth: 16,
             roulette: true,
+            reuse: Reuse::default(),
             energy: Energy::Preserve,
             texture_filter: TextureFilter::default(),
             diffuse_map: DiffuseMap::default(),
@@ -121,6 +124,16 @@ pub enum Sampler {
     Sobol,
     /// Independent numbers by a hash: the reference.
     Pcg,
+}
+
+/// Whether pixels use each other's paths.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reuse {
+    /// Each pixel has its own.
+    #[default]
+    Off,
+    /// What the diffuse surface that a path comes to second sends on is gathered by the 16 pixels of a tile.
+    Tiles,
 }
 
 /// What becomes of materials that reflect more than they receive.

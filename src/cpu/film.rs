@@ -19,14 +19,20 @@ pub struct Counted {
 /// Adds a batch of samples to the film.
 pub fn accumulate(film: &mut [FilmPixel], radiance: &[RadianceSample], params: &AccumulateParams) -> Counted {
     let mut counted = Counted::default();
-    let pixels = (params.window_width * params.window_height) as usize;
+    let pixels = params.window_width * params.window_height;
+    let index = |place: UVec2| (params.first_pixel + place.y * params.row + place.x) as usize;
+    if params.replaces != 0 {
+        (0..pixels).for_each(|pixel| film[index(place_of(pixel, params))] = FilmPixel::default());
+    }
     for layer in 0..params.layers {
         let sample = params.first_sample + layer;
-        for (pixel, from) in radiance[layer as usize * pixels..][..pixels].iter().enumerate() {
+        for pixel in 0..pixels {
+            let (x, y) = (pixel % params.window_width, pixel / params.window_width);
+            let at = layer * params.radiance_layer + params.radiance_first + y * params.radiance_row + x;
+            let from = &radiance[at as usize];
             counted.rays += u64::from(from.info & !SAMPLE_BAD);
-            let place = place_of(pixel as u32, params);
-            let index = params.first_pixel + place.y * params.row + place.x;
-            let half = &mut film[index as usize].halves[(sample & 1) as usize];
+            let place = place_of(pixel, params);
+            let half = &mut film[index(place)].halves[(sample & 1) as usize];
             let fault = match from.info & SAMPLE_BAD == 0 {
                 true => add(half, from, params.exponent).map(|kind| (kind, UNKNOWN_BOUNCE, NO_MATERIAL)),
                 false => Some((from.rgb.x as u32, from.rgb.y as u32, from.rgb.z as u32)),

@@ -9,6 +9,7 @@ use super::camera::camera_ray;
 use super::connect::{LightSample, LightSampler, power_heuristic};
 use super::normals::{bent_to_viewer, smooth_normal};
 use super::pcg4d::pcg4d;
+use super::reuse::{GatherPoint, Lending, LentPoint};
 use super::rng::{Source, random_words, sample_key, unit};
 use super::sky::sky_arriving;
 use super::sun::SunDisk;
@@ -17,7 +18,9 @@ use super::textured::Cone;
 use super::triangles::{HitF64, TriangleSet};
 use crate::layout::light::LightTable;
 use crate::layout::sky::SkyTable;
-use crate::layout::texture::{CUTOUT_DIMENSIONS, MaterialMaps, TEXTURE_DIMENSIONS, TEXTURE_DIMENSIONS_PER_BOUNCE};
+use crate::layout::texture::{
+    CUTOUT_DIMENSIONS, MaterialMaps, NO_CHANCE, TEXTURE_DIMENSIONS, TEXTURE_DIMENSIONS_PER_BOUNCE,
+};
 use crate::layout::trace::{
     DIMENSIONS_PER_BOUNCE, LENS_DIMENSIONS, MATERIAL_DIELECTRIC, MATERIAL_ONE_SIDED, MATERIAL_THIN, MaterialRecord,
     ROULETTE_BOUNCE, SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM, SLOT_LIGHT_POINT, SampleKey, Shading, TraceParams,
@@ -53,6 +56,15 @@ pub struct Traced {
     pub rays: u32,
 }
 
+/// One sample of one pixel, and what it leaves to its tile.
+#[derive(Clone, Copy, Debug)]
+pub struct Walked {
+    /// Without what it lends.
+    pub traced: Traced,
+    pub gather_point: Option<GatherPoint>,
+    pub lent_point: Option<LentPoint>,
+}
+
 impl<'a> PathScene<'a> {
     /// Without shading normals and without roulette.
     pub fn new(triangles: &[Triangle], materials: &'a [MaterialRecord]) -> Self {
@@ -70,8 +82,13 @@ impl<'a> PathScene<'a> {
         }
     }
 
-    /// A film sample of a pixel of the whole film; what the kernel reads of `params` is read here.
+    /// A film sample of a pixel of the whole film, whose path is its own; what the kernel reads of `params` is read here.
     pub fn sample(&self, params: &TraceParams, pixel: UVec2, sample: u32) -> Traced {
+        self.walk(params, pixel, sample, false).traced
+    }
+
+    /// The same of a path that lends, if `lends`: what it lends is not in its radiance.
+    pub fn walk(&self, params: &TraceParams, pixel: UVec2, sample: u32, lends: bool) -> Walked {
         let key = sample_key(pixel.y * params.film_width + pixel.x, sample, params.seed);
         let at = pixel.as_dvec2() + self.sampler.sample_2d(key, SLOT_FILM);
         let (mut origin, mut direction) = camera_ray(params, at, || self.sampler.sample_2d(key, LENS_DIMENSIONS));
@@ -84,21 +101,25 @@ impl<'a> PathScene<'a> {
         let sampler = self.light_sampler(params);
         let sun = SunDisk::new(params);
         let mut traced = Traced::default();
+        let (mut lending, mut gather_point, mut lent_point) = (Lending::default(), None, None);
         for bounce in 0..params.max_depth {
+            let chance = self.chance(key, traced.rays);
             let Some(hit) = self.first_hit(origin, direction, key, &mut traced.rays) else {
                 let to_picture = self.sky_turn.transpose();
                 let sky =
                     self.sky.map_or(params.environment.as_dvec3(), |sky| sky_arriving(sky, to_picture * direction).0);
                 let sun = sun.filter(|sun| sun.covers(direction)).map_or(DVec3::ZERO, |sun| sun.radiance);
                 let other = sampler.as_ref().and_then(|sampler| sampler.sky_pdf(direction));
-                traced.radiance += throughput * (sky + sun) * weight_of_finding(pdf, other);
+                let found = (sky + sun) * weight_of_finding(pdf, other);
+                traced.radiance += throughput * found;
+                lending.radiance += lending.throughput * found;
                 break;
             };
             let material = &self.materials[hit.triangle.material as usize];
             let [a, b, c] = hit.triangle.corners;
             let area_normal = (b - a).cross(c - a);
             let texturing = self.texturing(&hit, cone, direction, (key, bounce));
-            let frame = self.frame(&hit, -direction, &texturing);
+            let (frame, normal) = self.frame(&hit, -direction, &texturing);
             if !(frame.back_face && material.flags & MATERIAL_ONE_SIDED != 0) {
                 let pdf_of = |sampler: &LightSampler| {
                     sampler.light_pdf(hit.triangle.index, area_normal, direction, passed + hit.t)
@@ -109,7 +130,9 @@ impl<'a> PathScene<'a> {
                     false => texturing.point,
                 };
                 let part = self.emission_part(&texturing.maps, point, texturing.others.y);
-                traced.radiance += throughput * material.emission.as_dvec3() * part * weight;
+                let found = material.emission.as_dvec3() * part * weight;
+                traced.radiance += throughput * found;
+                lending.radiance += lending.throughput * found;
             }
             if bounce + 1 == params.max_depth {
                 break;
@@ -120,27 +143,41 @@ impl<'a> PathScene<'a> {
             let point = self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT);
             let surface =
                 self.textures.textured(Reflection::from(material), &texturing.maps, texturing.point, texturing.colours);
+            if lends && bounce == 0 {
+                gather_point = Some(GatherPoint { position, frame, surface });
+            }
+            if lending.begins {
+                let (triangle, geometric, weight) = (hit.triangle.index, frame.geometric, throughput);
+                let radiance = DVec3::ZERO;
+                lent_point = Some(LentPoint { position, triangle, geometric, normal, radiance, chance, weight });
+            }
             let connection = sampler
                 .as_ref()
                 .map(|sampler| self.connect(sampler, &surface, &frame, position, (light, point, texturing.others.z)));
-            if let Some(light) = connection.filter(|connection| connection.light != DVec3::ZERO) {
+            if let Some(light) = connection.filter(Connection::adds) {
                 let passes = params.max_depth - 2 - bounce;
                 let seen = self.seen_part(position, &light.from, passes, key, &mut traced.rays);
-                traced.radiance += throughput * light.light * seen;
+                let seen_as = (&surface, &frame);
+                let parts = lending.parts_of(throughput, seen_as, light.from.direction, light.value, 1.0);
+                traced.radiance += parts[0] * light.arriving * seen;
+                lending.radiance += parts[1] * light.arriving * seen;
             }
             let u = self.sampler.sample_2d(key, first + SLOT_DIRECTION);
             let drawn = surface.sample(&frame, lobe, u);
             if drawn.weight.max_element() <= 0.0 {
                 break;
             }
-            throughput *= drawn.weight;
+            [throughput, lending.throughput] = lending.lend_on(throughput, (&surface, &frame), &drawn);
+            lending.begins = lends && bounce == 0 && drawn.pdf > 0.0;
             eta_scale /= eta_squared(material, &frame, drawn.direction);
             if self.roulette && bounce >= ROULETTE_BOUNCE {
-                let survival = (throughput.max_element() * eta_scale).min(1.0);
+                let most = throughput + lending.throughput;
+                let survival = (most.max_element() * eta_scale).min(1.0);
                 if roulette >= survival {
                     break;
                 }
                 throughput /= survival;
+                lending.throughput /= survival;
             }
             let curvature = self.textures.uvs.get(hit.triangle.index as usize).map_or(0.0, |uvs| uvs.curvature.into());
             cone = cone.spread_by(hit.t, curvature, &frame, &drawn, params.cone_part.into());
@@ -153,14 +190,25 @@ impl<'a> PathScene<'a> {
             };
             direction = drawn.direction;
         }
-        traced
+        let lent_point = lent_point.map(|point: LentPoint| LentPoint { radiance: lending.radiance, ..point });
+        Walked { traced, gather_point, lent_point: lent_point.filter(|point| point.radiance != DVec3::ZERO) }
     }
 
     /// What a ray hits first, of what is there for it. Hits are within 1e-15 of the scene's size, so 1e-9 leaves out the surface the ray
     /// starts on, and it alone.
     fn first_hit(&self, origin: DVec3, direction: DVec3, key: SampleKey, rays: &mut u32) -> Option<HitF64<'_>> {
-        let chance = random_words(key, CUTOUT_DIMENSIONS + *rays).x | 1;
+        let chance = self.chance(key, *rays);
         *rays += 1;
+        self.closest_there(origin, direction, chance)
+    }
+
+    /// The number by which surfaces with holes are there for a ray of a path, or not.
+    fn chance(&self, key: SampleKey, ray: u32) -> u32 {
+        if self.textures.maps.is_empty() { NO_CHANCE } else { random_words(key, CUTOUT_DIMENSIONS + ray).x | 1 }
+    }
+
+    /// What a ray hits first, of what is there for such a number.
+    pub(super) fn closest_there(&self, origin: DVec3, direction: DVec3, chance: u32) -> Option<HitF64<'_>> {
         let is_there = |hit: &HitF64| {
             let triangle = hit.triangle.index;
             let words = pcg4d(UVec4::new(chance, triangle, CUTOUT_STREAM, 0));
@@ -187,17 +235,18 @@ impl<'a> PathScene<'a> {
         if maps.emission == 0 { DVec3::ONE } else { self.textures.colour(maps.emission, point, u) }
     }
 
-    fn frame(&self, hit: &HitF64, wo: DVec3, texturing: &Texturing) -> ShadingFrame {
+    /// How a surface is seen, and the normal that it is shaded by before that is bent to its viewer.
+    fn frame(&self, hit: &HitF64, wo: DVec3, texturing: &Texturing) -> (ShadingFrame, DVec3) {
         let frame = self.mesh_frame(hit, wo);
         let Texturing { maps, point, others, .. } = texturing;
         if maps.relief == 0 {
-            return frame;
+            return (frame, self.mesh_side(hit, frame.geometric));
         }
         let (n, geometric) = (self.mesh_normal(hit), frame.geometric);
         let bent = self.textures.relieved(maps, *point, hit.triangle.index, hit.b, n, others.x);
         let [seen, side] = if n.dot(geometric) < 0.0 { [-bent, -n] } else { [bent, n] };
-        let shading = bent_to_viewer(bent_to_viewer(seen, side, geometric), geometric, wo);
-        ShadingFrame { shading, ..frame }
+        let unbent = bent_to_viewer(seen, side, geometric);
+        (ShadingFrame { shading: bent_to_viewer(unbent, geometric, wo), ..frame }, unbent)
     }
 
     /// As the mesh is, without a relief.
@@ -205,9 +254,14 @@ impl<'a> PathScene<'a> {
         let front = front_of(hit);
         let back_face = front.dot(wo) < 0.0;
         let geometric = if back_face { -front } else { front };
-        let n = self.mesh_normal(hit);
-        let side = if n.dot(geometric) < 0.0 { -n } else { n };
+        let side = self.mesh_side(hit, geometric);
         ShadingFrame { wo, shading: bent_to_viewer(side, geometric, wo), geometric, back_face }
+    }
+
+    /// The mesh's normal on the side of a facet's.
+    fn mesh_side(&self, hit: &HitF64, geometric: DVec3) -> DVec3 {
+        let n = self.mesh_normal(hit);
+        if n.dot(geometric) < 0.0 { -n } else { n }
     }
 
     /// That of its corners, or of the flat triangle.
@@ -233,7 +287,7 @@ impl<'a> PathScene<'a> {
         })
     }
 
-    /// A light that is sampled, and what it adds for a throughput of 1 if nothing is in the way.
+    /// A light that is sampled, and what of it arrives if nothing is in the way.
     fn connect(
         &self,
         sampler: &LightSampler,
@@ -257,7 +311,7 @@ impl<'a> PathScene<'a> {
         let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
         let weight = if from.point_distance.is_some() { 1.0 } else { power_heuristic(from.pdf, at.pdf) };
         let share = if counts { weight / from.pdf } else { 0.0 };
-        Connection { from, light: at.value * from.radiance * share }
+        Connection { value: at.value, arriving: from.radiance * share, from }
     }
 
     /// The part of a light that arrives: what goes straight on through up to so many surfaces before it.
@@ -332,5 +386,14 @@ const CUTOUT_STREAM: u32 = 0x6375_7400;
 /// A sampled light.
 struct Connection {
     from: LightSample,
-    light: DVec3,
+    /// f * cos in its direction.
+    value: DVec3,
+    /// Its radiance by the density that it was drawn with, weighted against other ways to find it.
+    arriving: DVec3,
+}
+
+impl Connection {
+    fn adds(&self) -> bool {
+        self.value * self.arriving != DVec3::ZERO
+    }
 }

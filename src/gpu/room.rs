@@ -4,7 +4,7 @@ use crate::layout::alias::AliasColumn;
 use crate::layout::film::FilmPixel;
 use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
-use crate::layout::trace::{MaterialRecord, RadianceSample, Shading};
+use crate::layout::trace::{GatherPoint, LentPoint, MaterialRecord, RadianceSample, Shading};
 use crate::layout::tree::Triangle;
 use crate::passes::tree::PLAN;
 
@@ -29,6 +29,9 @@ fn growth(name: &str) -> Option<(Grows, usize)> {
         "sky" => (Grows::Sky, size_of::<glam::Vec4>()),
         "sky_columns" => (Grows::Sky, size_of::<AliasColumn>()),
         "film" => (Grows::Film, size_of::<FilmPixel>()),
+        "gather_points" => (Grows::Film, size_of::<GatherPoint>()),
+        "lent_points" => (Grows::Film, size_of::<LentPoint>()),
+        "gather_materials" => (Grows::Film, size_of::<MaterialRecord>()),
         "radiance" => (Grows::Film, size_of::<RadianceSample>()),
         "picture" => (Grows::Film, 4),
         "debug_colours" => (Grows::Film, size_of::<glam::Vec4>()),

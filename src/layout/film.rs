@@ -71,6 +71,14 @@ gpu_struct! {
         pub column_shift: u32,
         /// The same of rows.
         pub row_shift: u32,
+        /// Where the batch's first pixel is in a layer of `radiance`: more may be traced than is kept.
+        pub radiance_first: u32,
+        /// Pixels of a row there.
+        pub radiance_row: u32,
+        /// Pixels of a layer there.
+        pub radiance_layer: u32,
+        /// 1: what pixels had so far is dropped.
+        pub replaces: u32,
     }
 
     /// Parameters of the display pass.

@@ -155,8 +155,49 @@ gpu_struct! {
         pub column_shift: u32,
         /// The same of rows.
         pub row_shift: u32,
+        /// Where layer 0 is in `radiance`, in layers.
+        pub first_layer: u32,
+        /// 1: paths lend nothing, though the kernel is one whose paths may.
+        pub keeps: u32,
+    }
+
+    /// Where a pixel gathers what the paths of its tile lend: its path's first surface. World space relative to the scene's origin.
+    pub struct GatherPoint {
+        /// Where rays leave it, on the side that the camera sees.
+        pub origin: Vec3,
+        /// Index of its material; [`NO_MATERIAL`] where the pixel gathers nothing.
+        pub material: u32,
+        /// Towards the camera, unit length.
+        pub wo: Vec3,
         pub pad0: u32,
+        /// The normal that it is shaded by, unit length.
+        pub shading: Vec3,
         pub pad1: u32,
+        /// The triangle's own, on the side of `wo`; unit length.
+        pub geometric: Vec3,
+        /// 1 where it is seen from its back.
+        pub back_face: u32,
+    }
+
+    /// A path's second surface, and what its diffuse lobe sends on: what a path lends to its tile.
+    pub struct LentPoint {
+        /// World space relative to the scene's origin.
+        pub position: Vec3,
+        /// Index in scene order; [`NO_HIT`](super::ray::NO_HIT) where the path lends nothing.
+        pub triangle: u32,
+        /// Radiance, linear Rec.709; the same in all directions from where the surface is seen.
+        pub radiance: Vec3,
+        /// The number by which surfaces with holes were there or not on the path's own way here.
+        pub chance: u32,
+        /// The triangle's normal on the side of the path; unit length.
+        pub geometric: Vec3,
+        pub pad0: u32,
+        /// What it is shaded by, before it is bent to a viewer; where nothing bends normals, not written.
+        pub normal: Vec3,
+        pub pad1: u32,
+        /// What a unit of radiance from here adds to the path's own pixel, where it keeps that to itself.
+        pub weight: Vec3,
+        pub pad2: u32,
     }
 
     /// One sample of one pixel, as the trace kernel leaves it for the film.
@@ -209,6 +250,10 @@ gpu_consts! {
     /// Roughness below which a GGX lobe is taken as a mirror. Unit vectors in f32 err by some 1e-7, which is a thousandth of
     /// such a lobe's width and moves its density by 0.2 %; no film resolves it either.
     pub const SMOOTHEST_ALPHA: f32 = 1e-4;
+    /// Pixels of a tile, whose paths are reused.
+    pub const TILE_PIXELS: u32 = 16;
+    /// Sides of the blocks of pixels that hold whole tiles.
+    pub const TILE_BLOCK: u32 = 8;
     /// First bounce after which Russian roulette may end a path: paths of 4 segments are never cut.
     pub const ROULETTE_BOUNCE: u32 = 3;
 }

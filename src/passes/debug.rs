@@ -1,6 +1,6 @@
 //! What shaders show of themselves (`debug` in `lib/debug.wgsl`), as a picture: in place of the film's.
 
-use super::trace::TRACED;
+use super::trace::{TRACED, reuse_buffers};
 use super::{Binding, Makes, Pass, Recording, Size, Twin};
 use crate::layout::trace::TraceParams;
 
@@ -11,7 +11,7 @@ pub static DEBUG: Pass = Pass {
     module: "passes/trace/debug",
     entry: "debug_view",
     features: &["debug_view"],
-    bindings: &Binding::list::<17>(&[
+    bindings: &Binding::list::<20>(&[
         &TRACED,
         &[Binding::write("debug_colours", "array<vec4<f32>>"), Binding::write("picture", "array<u32>")],
     ]),
@@ -19,9 +19,11 @@ pub static DEBUG: Pass = Pass {
     twin: Twin::None("what is shown is up to whoever edits a shader, and the path beneath has a twin"),
 };
 
-/// Buffers for a window of so many pixels, beside `picture`.
+/// Buffers for a window of so many pixels, beside `picture`; of what paths lend there is one place.
 pub fn buffers(pixels: u64) -> Vec<(&'static str, u64)> {
-    vec![("debug_colours", pixels.max(1) * 16)]
+    let mut buffers = reuse_buffers(1, 1, true);
+    buffers.push(("debug_colours", pixels.max(1) * 16));
+    buffers
 }
 
 /// Records the picture of the window of `params`.

@@ -56,14 +56,18 @@ pub fn record_reset(recording: &mut Recording, pixels: u32) {
     recording.zero("counters", size_of::<FilmCounters>() as u64);
 }
 
-/// Records the adding of what a trace kernel with `trace` left in `radiance`. `window` has the parameters for all of the film's
-/// window.
-pub fn record_accumulate(recording: &mut Recording, trace: &TraceParams, exponent: i32, window: &TraceParams) {
-    let pixels = u64::from(trace.window_width) * u64::from(trace.window_height);
-    recording.run(&ACCUMULATE, Size::Items(pixels)).params(&accumulate_params(trace, exponent, window));
+/// Records that what the film counts begins anew, its pixels not.
+pub fn record_recount(recording: &mut Recording) {
+    recording.zero("counters", size_of::<FilmCounters>() as u64);
 }
 
-/// Parameters of the accumulate pass after a trace with `trace`, as [`record_accumulate`] has them.
+/// Records the adding of what a trace kernel left in `radiance`.
+pub fn record_accumulate(recording: &mut Recording, params: &AccumulateParams) {
+    let pixels = u64::from(params.window_width) * u64::from(params.window_height);
+    recording.run(&ACCUMULATE, Size::Items(pixels)).params(params);
+}
+
+/// Parameters of the accumulate pass after a trace with `trace`. `window` has the parameters for all of the film's window.
 pub fn accumulate_params(trace: &TraceParams, exponent: i32, window: &TraceParams) -> AccumulateParams {
     let (x, y) = (trace.window_x - window.window_x, trace.window_y - window.window_y);
     AccumulateParams {
@@ -79,7 +83,19 @@ pub fn accumulate_params(trace: &TraceParams, exponent: i32, window: &TraceParam
         row: window.window_width,
         column_shift: trace.column_shift,
         row_shift: trace.row_shift,
+        radiance_first: 0,
+        radiance_row: trace.window_width,
+        radiance_layer: trace.window_width * trace.window_height,
+        replaces: 0,
     }
+}
+
+/// Has the accumulate pass take its pixels out of more that were traced, with `traced`.
+pub fn take_from(params: &mut AccumulateParams, traced: &TraceParams) {
+    let (x, y) = (params.window_x - traced.window_x, params.window_y - traced.window_y);
+    params.radiance_first = y * traced.window_width + x;
+    params.radiance_row = traced.window_width;
+    params.radiance_layer = traced.window_width * traced.window_height;
 }
 
 /// How a film is shown.

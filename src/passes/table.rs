@@ -21,6 +21,7 @@ const STAGES: &[&[&Pass]] = &[
         &extend::EXTEND,
         &extend::OCCLUDED,
         &trace::PATH,
+        &trace::GATHER,
         &film::ACCUMULATE,
         &film::DISPLAY,
         &view::VIEW,

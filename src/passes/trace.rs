@@ -1,18 +1,19 @@
-//! Paths: one sample a pixel and layer, from the camera to where they end, as radiance for the film.
+//! Paths: one sample a pixel and layer, from the camera to where they end, as radiance for the film; and what they lend each other.
 
-use glam::Vec3;
+use glam::{UVec2, Vec3};
 
 use super::textures::{TEXTURED, texture_bindings};
 use super::twin::twin;
 use super::{Binding, Makes, Pass, Recording, Size};
 use crate::layout::texture::MaterialMaps;
 use crate::layout::trace::{
-    MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MATERIAL_THIN, MaterialRecord, RadianceSample, TraceParams,
+    GatherPoint, LentPoint, MATERIAL_DIELECTRIC, MATERIAL_GGX, MATERIAL_MIRROR, MATERIAL_THIN, MaterialRecord,
+    RadianceSample, TILE_BLOCK, TraceParams,
 };
 use crate::layout::tree::FEW_TRIANGLES;
 
 /// What tracing a path reads, whatever becomes of it.
-pub const TRACED: [Binding; 15] = Binding::list::<15>(&[
+pub const TRACED: [Binding; 18] = Binding::list::<18>(&[
     &[
         Binding::read("nodes", "array<vec4<u32>>"),
         Binding::read("leaves", "array<vec4<u32>>"),
@@ -29,6 +30,11 @@ pub const TRACED: [Binding; 15] = Binding::list::<15>(&[
         Binding::read("mean_emission", "array<f32>").when(&["emission_map"]).and(&["lights"]),
         Binding::read("triangles", "array<vec4<u32>>").when(&["emission_map"]).and(&["lights"]),
     ],
+    &[
+        Binding::write("gather_points", "array<GatherPoint>").when(&["reuse"]),
+        Binding::write("lent_points", "array<LentPoint>").when(&["reuse"]),
+        Binding::write("gather_materials", "array<MaterialRecord>").when(&["textures"]).and(&["reuse"]),
+    ],
 ]);
 
 /// Integrators `Path` and `Bsdf`: with and without light sampling, but for point lights.
@@ -37,14 +43,75 @@ pub static PATH: Pass = Pass {
     module: "passes/trace/path",
     entry: "path",
     features: &[],
-    bindings: &Binding::list::<16>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
+    bindings: &Binding::list::<19>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
     makes: &[Makes::Film],
     twin: twin!(path::PathScene::sample),
+};
+
+/// Adds to the pixels' radiance what the paths of their tiles lend.
+pub static GATHER: Pass = Pass {
+    name: "gather",
+    module: "passes/trace/gather",
+    entry: "gather",
+    features: &[],
+    bindings: &Binding::list::<11>(&[
+        &[
+            Binding::read("nodes", "array<vec4<u32>>"),
+            Binding::read("leaves", "array<vec4<u32>>"),
+            Binding::params("TraceParams"),
+            Binding::read("materials", "array<vec4<u32>>"),
+            Binding::write("radiance", "array<RadianceSample>"),
+            Binding::read("gather_points", "array<vec4<u32>>"),
+            Binding::read("lent_points", "array<vec4<u32>>"),
+        ],
+        &texture_bindings(&["cutout"]),
+    ]),
+    makes: &[Makes::Film],
+    twin: twin!(path::PathScene::sample_tile),
 };
 
 /// Buffers of the trace kernel for a window of so many pixels and so many samples a batch.
 pub fn buffers(pixels: u64, layers: u32) -> Vec<(&'static str, u64)> {
     vec![("radiance", (pixels * u64::from(layers)).max(1) * size_of::<RadianceSample>() as u64)]
+}
+
+/// Buffers of what so many pixels gather and lend, for so many samples of each at once; `textured`: materials differ from point to point.
+pub fn reuse_buffers(pixels: u64, layers: u32, textured: bool) -> Vec<(&'static str, u64)> {
+    let places = (pixels * u64::from(layers)).max(1);
+    let mut buffers = vec![
+        ("gather_points", places * size_of::<GatherPoint>() as u64),
+        ("lent_points", places * size_of::<LentPoint>() as u64),
+    ];
+    if textured {
+        buffers.push(("gather_materials", places * size_of::<MaterialRecord>() as u64));
+    }
+    buffers
+}
+
+/// The whole blocks of the film that a window touches: paths lend to each other in those, so a pixel needs all of its block.
+pub fn whole_blocks(params: &TraceParams) -> TraceParams {
+    let least = UVec2::new(params.window_x, params.window_y) / TILE_BLOCK * TILE_BLOCK;
+    let most = UVec2::new(params.window_x + params.window_width, params.window_y + params.window_height);
+    let film = UVec2::new(params.film_width, params.film_height);
+    let size = (most.map(|end| end.next_multiple_of(TILE_BLOCK))).min(film) - least;
+    TraceParams { window_x: least.x, window_y: least.y, window_width: size.x, window_height: size.y, ..*params }
+}
+
+/// Records the same as [`record`] where paths are reused, and what comes of that: `at_once` layers by themselves, so that what is lent fits.
+/// `params` are of whole blocks; `textured` as in [`reuse_buffers`].
+pub fn record_reused(recording: &mut Recording, params: &TraceParams, at_once: u32, textured: bool) {
+    let mut first_layer = 0;
+    while first_layer < params.layers {
+        let layers = at_once.max(1).min(params.layers - first_layer);
+        let part = TraceParams { first_layer, layers, first_sample: params.first_sample + first_layer, ..*params };
+        record(recording, &part);
+        let size = Size::Pixels { width: part.window_width, height: part.window_height, layers };
+        let call = recording.run(&GATHER, size).params(&part);
+        if textured {
+            call.bind("materials", "gather_materials");
+        }
+        first_layer += layers;
+    }
 }
 
 /// Records `params.layers` samples of every pixel of the window into `radiance`.
@@ -79,6 +146,8 @@ pub struct Needs<'a> {
     pub normals: bool,
     /// Russian roulette.
     pub roulette: bool,
+    /// Paths are reused within tiles.
+    pub reuse: bool,
     /// Stratified random numbers instead of independent ones.
     pub sobol: bool,
 }
@@ -106,6 +175,7 @@ impl Needs<'_> {
             ("phong", any(MaterialRecord::has_phong)),
             ("relief", mapped(|m| m.relief != 0)),
             ("point_lights", self.point_lights),
+            ("reuse", self.reuse),
             ("roulette", self.roulette),
             // The two exclude each other.
             ("sky", self.sky && !self.sky_light),

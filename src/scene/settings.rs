@@ -5,7 +5,7 @@
 
 use glam::UVec2;
 
-use crate::components::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Sampler, TextureFilter, Tone};
+use crate::components::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Reuse, Sampler, TextureFilter, Tone};
 
 /// Everything that the table is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -111,7 +111,7 @@ pub static SETTINGS: &[Setting] = &[
         group: Group::Render,
         value: Value::Whole { least: 0, most: u32::MAX, at: |s| &mut s.render.seed },
         flag: Some(Flag { name: "seed", value: "N", help: "Seed of all random numbers" }),
-        panel: Some(Panel { line: 8, label: "seed" }),
+        panel: Some(Panel { line: 9, label: "seed" }),
     },
     Setting {
         field: "integrator",
@@ -150,25 +150,36 @@ pub static SETTINGS: &[Setting] = &[
         panel: Some(Panel { line: 6, label: "roulette" }),
     },
     Setting {
+        field: "reuse",
+        group: Group::Render,
+        value: Value::Choice(|s| &mut s.render.reuse),
+        flag: Some(Flag {
+            name: "reuse",
+            value: "REUSE",
+            help: "Whether pixels use each other's paths (integrator path)",
+        }),
+        panel: Some(Panel { line: 7, label: "reuse of paths" }),
+    },
+    Setting {
         field: "energy",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.energy),
         flag: None,
-        panel: Some(Panel { line: 7, label: "energy" }),
+        panel: Some(Panel { line: 8, label: "energy" }),
     },
     Setting {
         field: "texture_filter",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.texture_filter),
         flag: Some(Flag { name: "texture-filter", value: "FILTER", help: "How much of a texture a lookup takes in" }),
-        panel: Some(Panel { line: 9, label: "texture filter" }),
+        panel: Some(Panel { line: 10, label: "texture filter" }),
     },
     Setting {
         field: "texture",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.diffuse_map),
         flag: None,
-        panel: Some(Panel { line: 10, label: "map_Kd" }),
+        panel: Some(Panel { line: 11, label: "map_Kd" }),
     },
     Setting {
         field: "texture_size",
@@ -276,6 +287,18 @@ impl Named for Sampler {
             help: "Evenly spread points: a scrambled (0, 4)-sequence",
         },
         Word { value: Self::Pcg, variant: "Pcg", name: "pcg", help: "Independent numbers" },
+    ];
+}
+
+impl Named for Reuse {
+    const WORDS: &'static [Word<Self>] = &[
+        Word { value: Self::Off, variant: "Off", name: "off", help: "Each pixel has paths of its own" },
+        Word {
+            value: Self::Tiles,
+            variant: "Tiles",
+            name: "tiles",
+            help: "16 pixels gather what each other's paths find behind their first bounce",
+        },
     ];
 }
 

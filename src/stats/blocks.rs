@@ -2,9 +2,10 @@
 //!
 //! Pictures carry no variance, so that of a block's mean difference is estimated from the spread of A - B over its pixels,
 //! and is never taken to be below that of the blocks around it: a block that a rare bright sample happened to miss looks
-//! quieter than it is. That holds where the noise of pixels is independent, as it is with a box filter and without
-//! denoising. A difference in structure within a block adds to the spread, so it makes z smaller, not larger.
+//! quieter than it is. Where the noise of neighbouring pixels is alike, as it is where paths are reused within tiles, that is
+//! corrected for (`alike`). A difference in structure within a block adds to the spread, so it makes z smaller, not larger.
 
+use super::alike::common_noise;
 use super::metrics::{Sample, comparable};
 use glam::UVec2;
 
@@ -94,6 +95,8 @@ pub struct Blocks {
     pub whole: Option<[f64; 3]>,
     /// |z| that pictures of equal expectation pass anywhere with probability [`FAMILY_WISE`]; `None` without any z.
     pub limit: Option<f64>,
+    /// By how much the variance of means is more than if the noise of each pixel were independent, by channel.
+    pub common_noise: [f64; 3],
 }
 
 impl Blocks {
@@ -104,7 +107,8 @@ impl Blocks {
         for y in 0..grid.count.y {
             list.extend((0..grid.count.x).map(|x| summed(a, b, &grid, UVec2::new(x, y))));
         }
-        let mut blocks = Self { grid, list, whole: None, limit: None };
+        let common_noise = common_noise(a, b, grid.size);
+        let mut blocks = Self { grid, list, whole: None, limit: None, common_noise };
         blocks.score();
         blocks.relate();
         blocks
@@ -172,7 +176,7 @@ impl Blocks {
             }
             least = least.min(block.pixels);
             let n = f64::from(block.pixels);
-            let spread: [f64; 3] = std::array::from_fn(|c| self.cautious_variance(index, c));
+            let spread: [f64; 3] = std::array::from_fn(|c| self.common_noise[c] * self.cautious_variance(index, c));
             let z = std::array::from_fn(|c| {
                 difference[c] += n * (block.mean_a[c] - block.mean_b[c]);
                 reference[c] += n * block.mean_b[c];

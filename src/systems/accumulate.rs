@@ -21,11 +21,14 @@ fn accumulate_batch(
     shot: Res<Shot>,
 ) {
     let size = shot.size();
-    film::record_accumulate(&mut frame.trace, &batch.params(&shot), shot.exponent, &shot.params);
+    let mut params = film::accumulate_params(&batch.params(&shot), shot.exponent, &shot.params);
+    film::take_from(&mut params, &batch.traced(&shot));
+    params.replaces = u32::from(progress.previewed && progress.samples == 0);
+    film::record_accumulate(&mut frame.trace, &params);
     let before = progress.shows();
     progress.add(&batch, size);
     // Until there is a finer level, the picture stays what it is.
-    if progress.samples > 0 || progress.shows() != before {
+    if progress.samples > 0 || progress.previewed || progress.shows() != before {
         progress.outdate_beauty();
     }
 }

@@ -6,7 +6,9 @@ use std::time::Duration;
 
 use bevy_ecs::prelude::*;
 use glam::{DMat3, Vec3};
-use lucerna::components::{Daylight, Environment, Integrator, Lobe, Material, Passage, Render, Sampler, Transform};
+use lucerna::components::{
+    Daylight, Environment, Integrator, Lobe, Material, Passage, Render, Reuse, Sampler, Transform,
+};
 use lucerna::oracle::Oracle;
 use lucerna::scene::generate::to_mesh;
 use lucerna::scene::{MeshEntry, SceneDescription};
@@ -143,6 +145,23 @@ fn equals_the_engine_where_everything_is_coated() {
         }
     }
     judge("cornell-box under a coat", coated(shipped("cornell-box", 16), 0.4), Integrator::Path, Sampler::Sobol, 256);
+}
+
+#[test]
+fn equals_the_engine_where_paths_are_reused() {
+    let reused = |name: &str, mut description: SceneDescription, spp: u32| {
+        description.render.reuse = Reuse::Tiles;
+        judge(&format!("{name}, paths reused"), description, Integrator::Path, Sampler::Sobol, spp);
+    };
+    reused("cornell-box", shipped("cornell-box", 16), 256);
+    reused("a yard under a turned sky", yard(12, turned_sky()), 128);
+    reused("cornell-box under a coat", coated(shipped("cornell-box", 16), 0.4), 256);
+    if support::stress() {
+        reused("a yard by day", yard(24, day()), 2048);
+        reused("teapot", shipped("teapot", 24), 256);
+        reused("glass", shipped("glass", 24), 2048);
+        reused("a thousand lights", thousand_lights(24), 8192);
+    }
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod corners;
 mod faults;
 mod known;
 mod means;
+mod reuse;
 mod twin;
 mod visibility;
 
@@ -31,7 +32,7 @@ const BLOCK: u32 = 8;
 #[test]
 fn a_scene_can_ask_for_every_feature_that_the_kernel_names() {
     let pack = |values: Material| material::pack(&values, Energy::Preserve);
-    let mut room = Room { roulette: true, next_event: true, sampler: Source::Sobol, ..Room::glass() };
+    let mut room = Room { roulette: true, reuse: true, next_event: true, sampler: Source::Sobol, ..Room::glass() };
     room.material(shiny(Vec3::ZERO, Vec3::ONE, 1.0));
     room.material(pack(Material { coat: 1.0, ..Material::BLACK }));
     room.material(pack(Material { passage: Passage::Pane(1.5), ..Material::BLACK }));

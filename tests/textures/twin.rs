@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use glam::{DVec3, UVec2};
-use lucerna::components::{Integrator, Sampler, TextureFilter};
+use lucerna::components::{Integrator, Reuse, Sampler, TextureFilter};
 use lucerna::cpu::path::PathScene;
 use lucerna::cpu::rng::Source;
 use lucerna::engine::Engine;
@@ -16,7 +16,7 @@ use lucerna::shader::Library;
 use lucerna::systems::resources::{Device, LightDensity, Shot, texture_set};
 
 use super::garden::Garden;
-use crate::rooms::trace_batch;
+use crate::rooms::{trace_batch, trace_reused_batch};
 use crate::statistics::{BATCHES, Pairs, agree};
 use crate::support;
 use crate::support::plant::planted;
@@ -25,10 +25,13 @@ const SIZE: UVec2 = UVec2::new(24, 18);
 const LAYERS: u32 = 4;
 
 /// Radiance of all samples of a batch, and how many rays they took, by the kernel.
-fn by_kernel(engine: &mut Engine, params: &TraceParams) -> Vec<(DVec3, u32)> {
+fn by_kernel(engine: &mut Engine, params: &TraceParams, reuse: Reuse) -> Vec<(DVec3, u32)> {
     engine.edit(|world| {
         let device = &mut world.resource_mut::<Device>().0;
-        trace_batch(device, params);
+        match reuse {
+            Reuse::Off => trace_batch(device, params),
+            Reuse::Tiles => trace_reused_batch(device, params, true),
+        }
         let samples: Vec<RadianceSample> = device.read_some("radiance", (SIZE.x * SIZE.y * LAYERS) as usize).unwrap();
         assert!(samples.iter().all(|sample| sample.info & SAMPLE_BAD == 0), "a bad sample");
         samples.iter().map(|sample| (sample.rgb.as_dvec3(), sample.info)).collect()
@@ -49,6 +52,9 @@ fn by_twin(engine: &Engine, description: &SceneDescription, params: &TraceParams
         let lights = world.resource::<GpuTable<LightRecord>>().rows().to_vec();
         scene.lights = (description.render.integrator == Integrator::Path).then_some(LightTable { lights, density });
         scene.textures = texture_set(world);
+        if description.render.reuse == Reuse::Tiles {
+            return by_tiles(&scene, params);
+        }
         let samples =
             (0..LAYERS).flat_map(|layer| (0..SIZE.y).flat_map(move |y| (0..SIZE.x).map(move |x| (layer, x, y))));
         samples
@@ -60,6 +66,19 @@ fn by_twin(engine: &Engine, description: &SceneDescription, params: &TraceParams
     })
 }
 
+/// The same of paths that are reused within tiles.
+fn by_tiles(scene: &PathScene, params: &TraceParams) -> Vec<(DVec3, u32)> {
+    let mut all = vec![(DVec3::ZERO, 0); (SIZE.x * SIZE.y * LAYERS) as usize];
+    let firsts =
+        || (0..SIZE.y).flat_map(|y| (0..SIZE.x).map(move |x| UVec2::new(x, y))).filter(|p| (p % 8).max_element() < 2);
+    for (layer, first) in (0..LAYERS).flat_map(|layer| firsts().map(move |first| (layer, first))) {
+        for (pixel, traced) in scene.sample_tile(params, first, params.first_sample + layer) {
+            all[((layer * SIZE.y + pixel.y) * SIZE.x + pixel.x) as usize] = (traced.radiance, traced.rays);
+        }
+    }
+    all
+}
+
 /// Whether both agree in the means of thirds of the picture, and how many samples are alike.
 fn compare(description: &SceneDescription, library: Library) -> Result<f64, String> {
     let mut engine = Engine::open(support::gpu(), library, description).unwrap();
@@ -69,7 +88,8 @@ fn compare(description: &SceneDescription, library: Library) -> Result<f64, Stri
     let mut sums: Vec<[[DVec3; 3]; 2]> = Vec::new();
     for batch in 0..BATCHES as u32 {
         let params = TraceParams { first_sample: batch * LAYERS, layers: LAYERS, ..shot };
-        let (ours, right) = (by_kernel(&mut engine, &params), by_twin(&engine, description, &params));
+        let (ours, right) =
+            (by_kernel(&mut engine, &params, description.render.reuse), by_twin(&engine, description, &params));
         let close = |a: DVec3, b: DVec3| (a - b).abs().max_element() <= 1e-3 * (1.0 + b.max_element());
         alike += ours.iter().zip(&right).filter(|(a, b)| close(a.0, b.0) && a.1 == b.1).count() as f64;
         all += ours.len() as f64;
@@ -100,18 +120,21 @@ fn thirds(samples: &[(DVec3, u32)]) -> [DVec3; 3] {
 
 #[test]
 fn equals_the_f64_twin() {
-    for (integrator, sampler, filter) in [
-        (Integrator::Path, Sampler::Sobol, TextureFilter::Footprint),
-        (Integrator::Bsdf, Sampler::Pcg, TextureFilter::Exact),
+    for (integrator, sampler, filter, reuse) in [
+        (Integrator::Path, Sampler::Sobol, TextureFilter::Footprint, Reuse::Off),
+        (Integrator::Bsdf, Sampler::Pcg, TextureFilter::Exact, Reuse::Off),
+        (Integrator::Path, Sampler::Sobol, TextureFilter::Footprint, Reuse::Tiles),
     ] {
         let mut description = Garden::full(SIZE).description;
         description.render.roulette = false;
         description.render.integrator = integrator;
         description.render.sampler = sampler;
         description.render.texture_filter = filter;
+        description.render.reuse = reuse;
         let alike = compare(&description, Library::shipped()).unwrap_or_else(|why| panic!("{integrator:?}: {why}"));
-        // Where a number lies between two texels within rounding, a path may take the other.
-        assert!(alike > 0.99, "{integrator:?}, {filter:?}: {alike} of the samples are alike");
+        // Where a number lies between two texels within rounding, a path may take the other; then all pixels of its tile do.
+        let least = if reuse == Reuse::Tiles { 0.9 } else { 0.99 };
+        assert!(alike > least, "{integrator:?}, {filter:?}, {reuse:?}: {alike} of the samples are alike");
     }
 }
 

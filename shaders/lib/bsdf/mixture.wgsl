@@ -45,18 +45,10 @@ fn mixture_evaluate(m: MaterialRecord, frame: ShadingFrame, wi: vec3<f32>) -> Bs
         return BsdfValue(vec3<f32>(0.0), 0.0);
     }
     let cos_theta = dot(wi, frame.shading);
-    var value = lambert_value(m.kd, cos_theta);
+    var value = diffuse_lobe(m, frame, wi);
     var pdf = lambert_pdf(cos_theta);
     @if(normals) {
-        value *= crowding(frame.shading, frame.geometric);
         pdf *= crowding(frame.shading, frame.geometric);
-    }
-    @if(coat) {
-        var cos_base = cos_theta;
-        @if(normals) {
-            cos_base = cos_before_crowding(wi, frame.shading, frame.geometric);
-        }
-        value *= coat_over_diffuse(m, dot(frame.wo, frame.shading), cos_base);
     }
     @if(ggx || phong || mirror) {
         pdf *= 1.0 - m.specular_probability;
@@ -84,6 +76,43 @@ fn mixture_evaluate(m: MaterialRecord, frame: ShadingFrame, wi: vec3<f32>) -> Bs
         pdf *= 1.0 - m.transparency;
     }
     return BsdfValue(value, pdf);
+}
+
+// f * cos of the diffuse lobe by itself, above the surface.
+fn diffuse_lobe(m: MaterialRecord, frame: ShadingFrame, wi: vec3<f32>) -> vec3<f32> {
+    let cos_theta = dot(wi, frame.shading);
+    var value = lambert_value(m.kd, cos_theta);
+    @if(normals) {
+        value *= crowding(frame.shading, frame.geometric);
+    }
+    @if(coat) {
+        var cos_base = cos_theta;
+        @if(normals) {
+            cos_base = cos_before_crowding(wi, frame.shading, frame.geometric);
+        }
+        value *= coat_over_diffuse(m, dot(frame.wo, frame.shading), cos_base);
+    }
+    return value;
+}
+
+// The part of mixture_evaluate()'s value that is the same seen from anywhere: the diffuse lobe, where no coat is over it.
+@if(reuse && (ggx || phong || coat))
+fn mixture_seen_from_anywhere(m: MaterialRecord, frame: ShadingFrame, wi: vec3<f32>) -> vec3<f32> {
+    var diffuse = is_above(frame, wi);
+    @if(dielectric) {
+        diffuse = diffuse && (m.flags & MATERIAL_DIELECTRIC) == 0u;
+    }
+    @if(thin) {
+        diffuse = diffuse && (m.flags & MATERIAL_THIN) == 0u;
+    }
+    @if(coat) {
+        diffuse = diffuse && m.coat == 0.0;
+    }
+    var value = select(vec3<f32>(0.0), diffuse_lobe(m, frame, wi), diffuse);
+    @if(alpha) {
+        value *= 1.0 - m.transparency;
+    }
+    return value;
 }
 
 // The specular lobe by itself, about the shading normal, above which both directions are.

@@ -62,14 +62,17 @@ fn add_or_log(half: ptr<function, FilmHalf>, arrived: RadianceSample, pixel: u32
 
 // The samples of one pixel, layer by layer; returns how many rays were traced for them.
 fn add_layers(pixel: u32) -> u32 {
-    let pixels = params.window_width * params.window_height;
+    let first = params.radiance_first + pixel / params.window_width * params.radiance_row + pixel % params.window_width;
     let place = place_of(pixel);
     let index = params.first_pixel + place.y * params.row + place.x;
     var rays = 0u;
     for (var half = 0u; half < 2u; half++) {
-        var sums = film[index].halves[half];
+        var sums: FilmHalf;
+        if (params.replaces == 0u) {
+            sums = film[index].halves[half];
+        }
         for (var layer = (params.first_sample + half) & 1u; layer < params.layers; layer += 2u) {
-            let arrived = radiance[layer * pixels + pixel];
+            let arrived = radiance[layer * params.radiance_layer + first];
             rays += arrived.info & ~SAMPLE_BAD;
             add_or_log(&sums, arrived, pixel, params.first_sample + layer);
         }

@@ -13,8 +13,9 @@ fn debug_view(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invoc
     if (id.x >= params.window_width || id.y >= params.window_height) {
         return;
     }
-    _ = trace_path(id.xy + vec2<u32>(params.window_x, params.window_y), 0u);
     let pixel = id.y * params.window_width + id.x;
+    // What a path lends is read by nobody here: all leave it in one place.
+    _ = trace_path(id.xy + vec2<u32>(params.window_x, params.window_y), 0u, @if(reuse) 0u);
     debug_colours[pixel] = debug_colour;
     picture[pixel] = srgb8(debug_colour.xyz);
 }

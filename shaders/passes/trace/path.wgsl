@@ -33,11 +33,14 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{load_leaf, scene_extent};
-@if(lights || sky_light) import package::passes::trace::shadow::{Connection, connect, sees_light};
+@if(reuse) import package::passes::trace::reuse::{begin_lending, end_lending, lend_on, lent};
+@if(reuse) import package::passes::trace::reuse::{note_gather_point, note_lent_point};
+@if(lights || sky_light) import package::passes::trace::shadow::{Connection, connect, is_needed, sees_light};
 @if((lights || sky_light) && (alpha || thin)) import package::passes::trace::shadow::{pass_straight};
 @if(sky || sky_light) import package::passes::trace::sky::{sky_found};
 import package::passes::trace::surface::{Surface, shading_frame_at, surface_at};
-@if(normals || relief) import package::passes::trace::surface::{shading_normal_at};
+@if(normals || relief) import package::lib::normals::{bent_to_viewer};
+@if(normals || relief) import package::passes::trace::surface::{unbent_normal_at};
 @if(thin && relief) import package::passes::trace::surface::{is_bent};
 import package::passes::trace::traverse::{traverse};
 import package::passes::trace::traverse_few::{traverse_few};
@@ -71,7 +74,16 @@ fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, materi
     return good;
 }
 
+// Adds to the pixel, and `lent_light` to what the path lends; whether the path is still good.
+@if(reuse)
+fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, lent_light: vec3<f32>, material: u32) -> bool {
+    lent.radiance += lent_light;
+    (*state).radiance += light;
+    return check(state, (*state).radiance, params.largest, material) && check(state, lent.radiance, params.largest, material);
+}
+
 // Adds to the pixel; whether the path is still good.
+@if(!reuse)
 fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, material: u32) -> bool {
     (*state).radiance += light;
     return check(state, (*state).radiance, params.largest, material);
@@ -125,8 +137,16 @@ fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f3
         }
     }
     let played = (*state).bounce >= ROULETTE_BOUNCE;
-    let survival = select(1.0, min(1.0, largest_of((*state).throughput) * (*state).eta_scale), played);
+    var most = (*state).throughput;
+    @if(reuse) {
+        // Somebody in the tile may see it all, however little this pixel does.
+        most += lent.throughput;
+    }
+    let survival = select(1.0, min(1.0, largest_of(most) * (*state).eta_scale), played);
     (*state).throughput /= survival;
+    @if(reuse) {
+        lent.throughput /= survival;
+    }
     return u < survival;
 }
 
@@ -134,9 +154,19 @@ fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f3
 fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) -> bool {
     let u = sample_2d((*state).key, dimension(state, SLOT_DIRECTION));
     let drawn = mixture_sample(surface.material, surface.frame, choices.lobe, u);
-    (*state).throughput *= drawn.weight;
-    var alive = check(state, (*state).throughput, LARGEST_F32, surface.index);
-    alive = alive && largest_of((*state).throughput) > 0.0;
+    var alive: bool;
+    @if(reuse) {
+        let parts = lend_on(*state, surface, drawn);
+        (*state).throughput = parts.own;
+        lent.throughput = parts.lent;
+        alive = check(state, (*state).throughput, LARGEST_F32, surface.index) && check(state, lent.throughput, LARGEST_F32, surface.index);
+        alive = alive && largest_of(max((*state).throughput, lent.throughput)) > 0.0;
+        lent.begins = (*state).bounce == 0u && drawn.pdf > 0.0 && params.keeps == 0u;
+    } @else {
+        (*state).throughput *= drawn.weight;
+        alive = check(state, (*state).throughput, LARGEST_F32, surface.index);
+        alive = alive && largest_of((*state).throughput) > 0.0;
+    }
     @if(roulette) {
         alive = alive && survive(state, surface, drawn.direction, choices.roulette);
     }
@@ -200,7 +230,7 @@ struct Shaded {
 // What happens at the end of the ray: its radiance is added, a light is sampled, a new direction drawn.
 //
 // Written with one way out, for each early one costs lavapipe's compiler masks over all that follows.
-fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
+fn shade(state: ptr<function, PathState>, hit: Hit, @if(reuse) place: u32) -> Shaded {
     let missed = hit.triangle == NO_HIT;
     // Of a ray that missed: leaf 0, not used.
     let triangle = load_leaf(hit.leaf);
@@ -223,19 +253,36 @@ fn shade(state: ptr<function, PathState>, hit: Hit) -> Shaded {
     }
     let light = incident_radiance(state, hit, material, mean, area_normal);
     var shaded: Shaded;
-    shaded.alive = add_radiance(state, (*state).throughput * light, select(triangle.material, NO_MATERIAL, missed));
+    let seen = select(triangle.material, NO_MATERIAL, missed);
+    @if(reuse) {
+        shaded.alive = add_radiance(state, (*state).throughput * light, lent.throughput * light, seen);
+    } @else {
+        shaded.alive = add_radiance(state, (*state).throughput * light, seen);
+    }
     if (shaded.alive && !missed && (*state).bounce + 1u < params.max_depth) {
         var frame = shading_frame_at(triangle, hit, area_normal, -(*state).direction);
+        var normal = frame.shading;
         @if(relief) {
-            frame.shading = shading_normal_at(triangle, hit, frame, texturing);
+            normal = unbent_normal_at(triangle, hit, frame, texturing);
         }
         @if(normals && !relief) {
-            frame.shading = shading_normal_at(triangle, hit, frame);
+            normal = unbent_normal_at(triangle, hit, frame);
+        }
+        @if(normals || relief) {
+            frame.shading = bent_to_viewer(normal, frame.geometric, frame.wo);
         }
         @if(textures) {
             material = textured(material, texturing.maps, texturing.point, texturing.colours);
         }
         var surface = surface_at(triangle, hit, material, frame);
+        @if(reuse) {
+            if ((*state).bounce == 0u && params.keeps == 0u) {
+                note_gather_point(place, surface);
+            }
+            if (lent.begins) {
+                note_lent_point(place, *state, surface, triangle.index, normal);
+            }
+        }
         let u = sample_4d((*state).key, dimension(state, SLOT_CHOICES));
         var choices = Choices(u.x, u.y, u.z, 0.0);
         @if(thin && relief) {
@@ -266,9 +313,12 @@ fn finish(state: ptr<function, PathState>) -> RadianceSample {
     return RadianceSample((*state).radiance, (*state).rays);
 }
 
-// One sample of a pixel of the whole film.
-fn trace_path(pixel: vec2<u32>, sample: u32) -> RadianceSample {
+// One sample of a pixel of the whole film; `place` is that of its record of what it gathers and lends.
+fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceSample {
     let extent = scene_extent(params.root);
+    @if(reuse) {
+        begin_lending(place);
+    }
     var state = begin(pixel, sample);
     @if(lights || sky_light) {
         // Segments and shadow rays take turns in one loop, so that traversal is compiled once.
@@ -286,17 +336,21 @@ fn trace_path(pixel: vec2<u32>, sample: u32) -> RadianceSample {
             if (is_shadow_ray) {
                 let seen = sees_light(connection, hit);
                 if (seen) {
-                    alive = add_radiance(&state, connection.light, NO_MATERIAL) && alive;
+                    @if(reuse) {
+                        alive = add_radiance(&state, connection.light, connection.lent, NO_MATERIAL) && alive;
+                    } @else {
+                        alive = add_radiance(&state, connection.light, NO_MATERIAL) && alive;
+                    }
                 }
                 is_shadow_ray = false;
                 @if(alpha || thin) {
                     is_shadow_ray = !seen && pass_straight(&connection, hit);
                 }
             } else {
-                let shaded = shade(&state, hit);
+                let shaded = shade(&state, hit, @if(reuse) place);
                 alive = shaded.alive;
                 connection = shaded.connection;
-                is_shadow_ray = state.fault == 0u && largest_of(connection.light) > 0.0;
+                is_shadow_ray = state.fault == 0u && is_needed(connection);
             }
             if (!alive && !is_shadow_ray) {
                 break;
@@ -310,10 +364,13 @@ fn trace_path(pixel: vec2<u32>, sample: u32) -> RadianceSample {
     @if(!lights && !sky_light) {
         for (var segment = 0u; segment < params.max_depth; segment++) {
             let hit = extend(&state, segment_ray(state), extent, 0.0);
-            if (!shade(&state, hit).alive) {
+            if (!shade(&state, hit, @if(reuse) place).alive) {
                 break;
             }
         }
+    }
+    @if(reuse) {
+        end_lending(place, state.fault == 0u);
     }
     return finish(&state);
 }
@@ -331,7 +388,8 @@ fn path(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_
     if (id.x >= params.window_width || id.y >= params.window_height || id.z >= params.layers) {
         return;
     }
-    let step = id.xy << vec2<u32>(params.column_shift, params.row_shift);
-    let sample = trace_path(step + vec2<u32>(params.window_x, params.window_y), params.first_sample + id.z);
-    radiance[(id.z * params.window_height + id.y) * params.window_width + id.x] = sample;
+    let pixel = (id.xy << vec2<u32>(params.column_shift, params.row_shift)) + vec2<u32>(params.window_x, params.window_y);
+    let place = (id.z * params.window_height + id.y) * params.window_width + id.x;
+    let sample = trace_path(pixel, params.first_sample + id.z, @if(reuse) place);
+    radiance[params.first_layer * params.window_height * params.window_width + place] = sample;
 }

@@ -6,10 +6,11 @@ import package::gen::{Hit, PathState, Ray, TraceParams, NO_HIT, T_FAR};
 import package::lib::intersect::{offset_ray_origin};
 @if(alpha || thin) import package::lib::intersect::{surface_point, triangle_normal};
 @if(lights || sky_light) import package::lib::light::{power_heuristic};
-@if(alpha || thin) import package::lib::math::{largest_of};
+@if(lights || sky_light) import package::lib::math::{largest_of};
 @if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, draw_light};
 @if(lights && point_lights) import package::passes::trace::connect::{is_point};
 @if(alpha || thin) import package::passes::trace::materials::{load_material};
+@if(reuse && (lights || sky_light)) import package::passes::trace::reuse::{parts_of};
 @if(alpha || thin) import package::passes::trace::scene::{load_leaf};
 import package::passes::trace::surface::{Surface};
 @if((normals || relief) && (alpha || thin)) import package::passes::trace::surface::{mesh_shading_normal};
@@ -27,6 +28,8 @@ struct Connection {
     enough: f32,
     // What it adds to the pixel if that is seen; 0 where no shadow ray is needed.
     light: vec3<f32>,
+    // And to what the path lends.
+    @if(reuse) lent: vec3<f32>,
     // The light's triangle, or NO_HIT.
     triangle: u32,
     // The ray ends before the light, or nowhere: nothing is hit where nothing hides it.
@@ -44,16 +47,26 @@ fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u
     let drawn = draw_light(params, surface.position, pick, u, texel);
     let at = mixture_evaluate(surface.material, surface.frame, drawn.direction);
     var light = vec3<f32>(0.0);
+    @if(reuse) var lent_light = vec3<f32>(0.0);
     if (drawn.pdf > 0.0 && at.pdf > 0.0) {
         var weight = power_heuristic(drawn.pdf, at.pdf);
         @if(lights && point_lights) {
             weight = select(weight, 1.0, is_point(drawn));
         }
-        light = state.throughput * at.value * drawn.radiance * (weight / drawn.pdf);
+        @if(reuse) {
+            let parts = parts_of(state, surface, drawn.direction, at.value, 1.0);
+            light = parts.own * drawn.radiance * (weight / drawn.pdf);
+            lent_light = parts.lent * drawn.radiance * (weight / drawn.pdf);
+        } @else {
+            light = state.throughput * at.value * drawn.radiance * (weight / drawn.pdf);
+        }
     }
     let origin = offset_ray_origin(surface.position, surface.error, surface.frame.geometric, drawn.direction);
     var connection: Connection;
     connection.light = light;
+    @if(reuse) {
+        connection.lent = lent_light;
+    }
     connection.triangle = drawn.triangle;
     connection.ends_before = drawn.end < 1.0;
     if (drawn.end == 0.0) {
@@ -75,6 +88,16 @@ fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u
         }
     }
     return connection;
+}
+
+// Whether the light would add anything.
+@if(lights || sky_light)
+fn is_needed(connection: Connection) -> bool {
+    var most = connection.light;
+    @if(reuse) {
+        most = max(most, connection.lent);
+    }
+    return largest_of(most) > 0.0;
 }
 
 // Whether what a shadow ray has hit, or missed, leaves its light to be seen. One that misses a light it was to hit has met a hole of it.
@@ -109,8 +132,12 @@ fn pass_straight(connection: ptr<function, Connection>, hit: Hit) -> bool {
     let at = surface_point(triangle.a, triangle.b, triangle.c, hit.b1, hit.b2);
     let origin = offset_ray_origin(at.position, at.error, frame.geometric, ray.direction);
     let t_max = ray.t_max - dot(origin - ray.origin, ray.direction);
-    (*connection).light *= passed_straight(material, dot(frame.wo, frame.shading));
+    let passed = passed_straight(material, dot(frame.wo, frame.shading));
+    (*connection).light *= passed;
+    @if(reuse) {
+        (*connection).lent *= passed;
+    }
     (*connection).passes -= 1u;
     (*connection).ray = Ray(origin, 0.0, ray.direction, t_max);
-    return largest_of((*connection).light) > 0.0 && t_max > 0.0;
+    return is_needed(*connection) && t_max > 0.0;
 }

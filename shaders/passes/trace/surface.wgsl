@@ -61,9 +61,9 @@ fn mesh_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame) -> vec3<f32
     }
 }
 
-// The normal that a surface is shaded by, on the side of its viewer.
+// The normal that a surface is shaded by, on the side of its viewer, before it is bent to be seen.
 @if(normals || relief)
-fn shading_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame, @if(relief) texturing: Texturing) -> vec3<f32> {
+fn unbent_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame, @if(relief) texturing: Texturing) -> vec3<f32> {
     @if(relief) {
         if (texturing.maps.relief != 0u) {
             let normal = mesh_normal_at(triangle, hit, frame);
@@ -71,10 +71,10 @@ fn shading_normal_at(triangle: Triangle, hit: Hit, frame: ShadingFrame, @if(reli
             let bent = relieved(texturing.maps.relief, texturing.point, triangle.index, hit.b1, hit.b2, normal, texturing.others.x);
             // However steep a picture is, the facet is in front of what it says.
             let seen = select(bent, -bent, dot(normal, frame.geometric) < 0.0);
-            return bent_to_viewer(bent_to_viewer(seen, side, frame.geometric), frame.geometric, frame.wo);
+            return bent_to_viewer(seen, side, frame.geometric);
         }
     }
-    return mesh_shading_normal(triangle, hit, frame);
+    return facing(mesh_normal_at(triangle, hit, frame), frame.geometric);
 }
 
 // The same without a relief.

@@ -103,6 +103,7 @@ impl RenderSummary<'_> {
             "sampler": scene.render.sampler.name(),
             "max_depth": scene.render.max_depth,
             "roulette": scene.render.roulette,
+            "reuse": scene.render.reuse.name(),
             "energy": scene.render.energy.variant(),
             "exposure": scene.film.exposure,
             "tone": scene.film.tone.name(),

@@ -180,6 +180,14 @@ impl Reflection {
         BsdfValue { value: opacity * value, pdf: opacity * pdf }
     }
 
+    /// The part of the value that is the same seen from anywhere: the diffuse lobe, where no coat is over it.
+    pub fn seen_from_anywhere(&self, frame: &ShadingFrame, wi: DVec3) -> DVec3 {
+        if self.dielectric.or(self.pane).is_some() || self.coat.amount > 0.0 || !frame.is_above(wi) {
+            return DVec3::ZERO;
+        }
+        (1.0 - self.transparency) * self.kd * wi.dot(frame.shading) / PI / frame.visible_part()
+    }
+
     /// Probability of sampling the coat instead of what is below it.
     fn coated(&self, frame: &ShadingFrame) -> f64 {
         self.coat.share(frame.wo.dot(frame.shading), f64::from(luminance((self.kd + self.ks).as_vec3())))

@@ -6,7 +6,7 @@ use glam::{DMat3, Mat3, Vec3};
 
 use super::step::Step;
 use crate::components::{
-    Active, Camera, CameraItem, Environment, EnvironmentItem, Film, Integrator, Name, Render, Sampler, Tone,
+    Active, Camera, CameraItem, Environment, EnvironmentItem, Film, Integrator, Name, Render, Reuse, Sampler, Tone,
     rendered_camera, rendered_environment,
 };
 use crate::gpu::GpuTable;
@@ -214,6 +214,7 @@ fn shoot(
         lens: params.lens_radius > 0.0,
         normals: geometry.normals,
         roulette: render.roulette,
+        reuse: render.reuse == Reuse::Tiles && render.integrator == Integrator::Path && render.max_depth > 2,
         sobol: render.sampler == Sampler::Sobol,
     };
     let features = needs.features().into_iter().map(str::to_owned).collect();

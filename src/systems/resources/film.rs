@@ -18,6 +18,8 @@ pub struct FilmProgress {
     /// Of these pixels, the rows that have one more, from the top; zero between two sweeps.
     pub sweep: Sweep,
     pub rows: u32,
+    /// Samples that are replaced by the first of the film itself: every pixel has one.
+    pub previewed: bool,
     /// It is left at what it has.
     pub rests: bool,
     /// What the picture shows of this very film and scene; none while it shows what was before.
@@ -30,6 +32,8 @@ pub struct Sweep {
     pub pixels: Lattice,
     /// The level whose corners have that sample afterwards; 0 is all pixels.
     pub level: u32,
+    /// The sample is only for who waits: pixels that are apart can't use each other's paths, so it is none of the film that reuses them.
+    pub preview: bool,
 }
 
 impl FilmProgress {
@@ -50,7 +54,7 @@ impl FilmProgress {
 
     /// No pixel has a sample.
     pub fn is_empty(&self) -> bool {
-        self.samples == 0 && !self.is_between()
+        self.samples == 0 && !self.is_between() && !self.previewed
     }
 
     /// Some pixels have a sample more than others.
@@ -67,7 +71,7 @@ impl FilmProgress {
     pub fn shows(&self) -> Option<Lattice> {
         match (self.begun, self.samples) {
             (false, _) => None,
-            (true, 0) => self.level.map(corners),
+            (true, 0) if !self.previewed => self.level.map(corners),
             (true, _) => Some(Lattice::default()),
         }
     }
@@ -94,7 +98,9 @@ impl FilmProgress {
             level -= 1;
         }
         self.level = Some(level).filter(|level| *level > 0);
-        if self.level.is_none() {
+        if self.level.is_none() && batch.sweep.preview {
+            self.previewed = true;
+        } else if self.level.is_none() {
             self.samples += batch.layers;
         }
     }
@@ -116,6 +122,11 @@ impl Batch {
     /// Whether it adds nothing.
     pub fn is_empty(&self) -> bool {
         self.layers == 0
+    }
+
+    /// Whether it is the first of the film itself, after samples that it replaces.
+    pub fn begins_after_preview(&self, progress: &FilmProgress) -> bool {
+        progress.previewed && progress.samples == 0 && progress.rows == 0 && !self.sweep.preview
     }
 
     /// Samples of the batch, over all its pixels in such a window.

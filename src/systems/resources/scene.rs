@@ -184,6 +184,16 @@ impl Shot {
         UVec2::new(self.params.window_width, self.params.window_height)
     }
 
+    /// Whether paths are reused within tiles.
+    pub fn reuses(&self) -> bool {
+        self.features.contains("reuse")
+    }
+
+    /// Whether what is gathered has a material of its own at every point.
+    pub fn is_textured(&self) -> bool {
+        self.features.contains("textures")
+    }
+
     /// Whether both make the same film. By bits: a NaN differs from itself, and would start the film anew for ever.
     pub fn same(&self, other: &Shot) -> bool {
         bytemuck::bytes_of(&self.params) == bytemuck::bytes_of(&other.params)

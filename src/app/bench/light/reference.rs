@@ -12,7 +12,7 @@ use super::record::ReferenceRecord;
 use crate::app::bench::BenchError;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::tracer::{Monitor, Tracer};
-use crate::components::{Film, Integrator, Render, Sampler, TextureFilter};
+use crate::components::{Film, Integrator, Render, Reuse, Sampler, TextureFilter};
 use crate::image::{Output, Picture, PictureFile, file};
 use crate::oracle::{self, Oracle};
 use crate::scene::{self, SceneDescription};
@@ -23,6 +23,7 @@ pub const TRUSTED: Configuration = Configuration {
     integrator: Integrator::Path,
     sampler: Sampler::Pcg,
     roulette: false,
+    reuse: Reuse::Off,
     texture_filter: Some(TextureFilter::Exact),
 };
 
