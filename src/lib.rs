@@ -13,6 +13,7 @@ pub mod files;
 pub mod gpu;
 pub mod image;
 pub mod oracle;
+pub mod parallel;
 pub mod passes;
 pub mod prepare;
 pub mod scene;

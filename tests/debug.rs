@@ -31,12 +31,16 @@ fn showing(colour: &str) -> Library {
     library.clone().with("passes/trace/path", &text)
 }
 
-/// Without light sampling, so that its kernels compile soon.
 fn open(library: Library) -> Engine {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes/cornell-box.ron");
+    open_scene(library, "cornell-box", "4")
+}
+
+/// Without light sampling, so that its kernels compile soon.
+fn open_scene(library: Library, scene: &str, spp: &str) -> Engine {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes").join(scene).with_extension("ron");
     let size = format!("({WIDTH},{HEIGHT})");
     let defines =
-        [("film.size", size.as_str()), ("render.spp", "4"), ("render.integrator", "Bsdf"), ("render.sampler", "Pcg")];
+        [("film.size", size.as_str()), ("render.spp", spp), ("render.integrator", "Bsdf"), ("render.sampler", "Pcg")];
     let defines = defines.map(|(path, value)| scene::Define::given(path, value));
     let description = scene::load(&path, &defines).unwrap_or_else(|e| panic!("{e:?}")).description;
     Engine::open(support::gpu(), library, &description).unwrap()
@@ -75,6 +79,29 @@ fn the_picture_is_what_the_first_sample_showed_last() {
     finish(&mut engine);
     assert_eq!((drawn(&engine), engine.picture().unwrap().unwrap()), ([1, paths], picture));
     assert_eq!(engine.film().unwrap().pixels, film.pixels);
+}
+
+#[test]
+fn few_triangles_are_traced_as_for_the_film() {
+    let library = Library::shipped();
+    let text = library.text("passes/trace/path").unwrap();
+    let (import, end) = ("import package::lib::fault::{fault_of};", "    return RadianceSample((*state).radiance,");
+    assert!(text.contains(import) && text.contains(end));
+    let text = text
+        .replace(import, &format!("{import}\nimport package::lib::debug::{{debug}};"))
+        .replace(end, &format!("    debug((*state).radiance);\n{end}"));
+    let mut engine = open_scene(library.clone().with("passes/trace/path", &text), "cornell-data", "1");
+    // The view first: no other kernel has left anything in workgroup memory.
+    engine.set_view(ViewMode::Debug);
+    engine.step(Duration::from_millis(100)).unwrap();
+    let colours = engine.debug_colours().unwrap().unwrap();
+    finish(&mut engine);
+    assert!(engine.features().contains("few_triangles"));
+    let film = engine.film().unwrap().rgb;
+    assert!(film.iter().any(|pixel| pixel[0] > 0.0), "some path finds the light");
+    let differs = |(pixel, colour): (&[f32; 3], &Vec4)| (Vec3::from(*pixel) - colour.truncate()).abs().max_element();
+    let worst = film.iter().zip(&colours).map(differs).fold(0.0, f32::max);
+    assert!(worst < 1e-5, "{worst}");
 }
 
 #[test]

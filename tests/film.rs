@@ -1,7 +1,8 @@
 //! The fixed-point film: exact sums however they are cut, and bad samples left out.
 
 use glam::{UVec2, Vec3};
-use lucerna::cpu::film::{Counted, accumulate, film_mean, fixed_point, half_mean, pixel_mean, relative_error};
+use lucerna::cpu::film::{Counted, accumulate, film_mean, fixed_point, half_mean, pixel_mean};
+use lucerna::cpu::film_error::relative_error;
 use lucerna::cpu::rng::{sample_1d, sample_key};
 use lucerna::gpu::Runtime;
 use lucerna::layout::film::{
@@ -355,4 +356,52 @@ fn rare_bright_samples_hide_no_error() {
     // Variance 49 by 8 samples, of a mean of 1. By the pixel's own mean it would come to about 0.2.
     let right = 49.0 / 8.0 / 1.01;
     assert!((0.7..1.4).contains(&(error / right)), "{error}, not {right}");
+}
+
+/// The same by its definition, pixel by pixel.
+fn plain_error(film: &[FilmPixel], width: usize, exponent: i32) -> f64 {
+    let height = film.len() / width;
+    let mean = |at: usize| film[at].halves.each_ref().map(|half| half_mean(half, exponent));
+    let near = |at: usize, count: usize| at.saturating_sub(4)..(at + 5).min(count);
+    let (mut sum, mut terms) = (0.0, 0.0);
+    for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        let [(h0, c0), (h1, c1)] = mean(y * width + x);
+        if c0 == 0 || c1 == 0 {
+            continue;
+        }
+        let share = f64::from(c0) * f64::from(c1) / f64::from(c0 + c1).powi(2);
+        for c in 0..3 {
+            let around: Vec<f64> = near(y, height)
+                .flat_map(|y| near(x, width).map(move |x| y * width + x))
+                .map(mean)
+                .filter(|[(_, c0), (_, c1)]| *c0 > 0 && *c1 > 0)
+                .map(|[(h0, _), (h1, _)]| 0.5 * (h0[c] + h1[c]))
+                .collect();
+            let radiance = around.iter().sum::<f64>() / around.len() as f64;
+            sum += (h0[c] - h1[c]).powi(2) * share / (radiance * radiance + 0.01);
+            terms += 1.0;
+        }
+    }
+    if terms > 0.0 { sum / terms } else { 0.0 }
+}
+
+#[test]
+fn the_error_is_the_same_however_many_rows_there_are() {
+    let exponent = 40;
+    for (width, height) in
+        [(1, 1), (3, 2), (9, 5), (17, 31), (8, 32), (5, 33), (7, 36), (4, 37), (6, 64), (3, 65), (11, 100)]
+    {
+        let pixels = width * height;
+        let random = |i: usize, c: u32| random(i, c) as f32;
+        let params = TraceParams { layers: 3, ..window(width, height) };
+        let batch: Vec<_> = (0..pixels as usize * 3)
+            .map(|i| RadianceSample { rgb: Vec3::new(random(i, 0), 4.0 * random(i, 1), random(i, 2)), info: 1 })
+            .collect();
+        let (mut film, _) = twin(&params, &batch, exponent);
+        // Some have no sample in one half.
+        film.iter_mut().step_by(5).for_each(|pixel| pixel.halves[1] = FilmHalf::default());
+        let (error, right) =
+            (relative_error(&film, width as usize, exponent), plain_error(&film, width as usize, exponent));
+        assert!((error - right).abs() <= 1e-12 * right, "{width}x{height}: {error}, not {right}");
+    }
 }

@@ -358,7 +358,7 @@ fn a_gigabyte_is_read_or_refused() {
         let most = HELD.with(|held| held.get().1) - before;
         eprintln!("{}: {} MB, {:?}", statement.escape_ascii(), most >> 20, started.elapsed());
         assert_eq!(result.is_ok(), accepted);
-        // Positions twice over, once in tobj's list and once in its meshes, and what a growing list copies.
+        // Positions three times over, in pieces, in the file's list and in meshes, and what a growing list copies.
         assert!(most < 6 << 30, "{most} bytes");
     }
 }

@@ -14,7 +14,8 @@ use lucerna::passes::lattice::Lattice;
 use lucerna::passes::table::TABLE;
 use lucerna::passes::tree::PLAN;
 use lucerna::passes::{Makes, Recording, Twin, debug, film, trace, view};
-use lucerna::shader::{Features, Library};
+use lucerna::shader::{Features, Library, Linked};
+use naga::valid::GlobalUse;
 
 #[test]
 fn every_row_is_what_its_shader_uses_whatever_the_features() {
@@ -29,8 +30,20 @@ fn every_row_is_what_its_shader_uses_whatever_the_features() {
             };
             let entry = checked_entry(pass, &linked, &features).unwrap_or_else(|error| panic!("{features:?}: {error}"));
             assert!(entry.workgroup_size.iter().product::<u32>() <= 256, "{}: no portable workgroup size", pass.name);
+            assert_eq!(read_unwritten(&linked, pass.entry), None, "{}: workgroup memory, {features:?}", pass.name);
         }
     }
+}
+
+/// A variable in workgroup memory, which starts as anything, that an entry point reads without ever writing it.
+fn read_unwritten(linked: &Linked, entry: &str) -> Option<String> {
+    let module = &linked.module;
+    let index = module.entry_points.iter().position(|point| point.name == entry).unwrap();
+    let uses = linked.info.get_entry_point(index);
+    let mut shared = module.global_variables.iter().filter(|(_, var)| var.space == naga::AddressSpace::WorkGroup);
+    let unwritten =
+        shared.find(|(handle, _)| uses[*handle].contains(GlobalUse::READ) && !uses[*handle].contains(GlobalUse::WRITE));
+    unwritten.map(|(_, var)| var.name.clone().unwrap_or_default())
 }
 
 #[test]

@@ -257,7 +257,7 @@ fn one_file_that_fails_keeps_no_other_from_being_written() {
         // Something comes in the way while it renders.
         std::fs::create_dir(&all[broken].path).unwrap();
         let sample = Sample::new();
-        let report = |names: &[String]| serde_json::json!({ "outputs": names });
+        let report = |written: &Outputs| serde_json::json!({ "outputs": written.names() });
         let failures = outputs.write(&sample.picture(), report);
         let name = all[broken].path.display().to_string();
         assert!(failures.len() == 1 && failures[0].to_string().contains(&name), "{failures:?}");
@@ -278,7 +278,7 @@ fn a_report_names_the_files_that_were_written() {
     let (mut outputs, _) =
         Outputs::prepare(&["a.json", "a.png", "a.exr"].map(|name| Output::new(at(name)).unwrap()), &[]);
     std::fs::create_dir(at("a.png")).unwrap();
-    outputs.write(&Sample::new().picture(), |names| serde_json::json!(names));
+    outputs.write(&Sample::new().picture(), |written| serde_json::json!(written.names()));
     let report: Vec<String> = serde_json::from_slice(&std::fs::read(at("a.json")).unwrap()).unwrap();
     assert_eq!(report, ["a.json", "a.exr"].map(|name| at(name).display().to_string()));
 }

@@ -7,12 +7,21 @@ use lucerna::layout::sort::{
     tiles,
 };
 use lucerna::passes::{Recording, sort};
-use lucerna::shader::Library;
+use lucerna::shader::{BALLOTS, Library};
 
 use crate::support;
 
 /// What lies in buffers before a sort, so that a result left from before shows.
 const POISON: u32 = 0xdead_beef;
+
+/// The kernels that run everywhere, and beside them those that the device has features for.
+fn rigs() -> Vec<Runtime> {
+    let mut of_device = support::rig();
+    let features = support::gpu().shader_features();
+    of_device.set_features(features);
+    let plain = support::rig();
+    if features.contains(&BALLOTS) { vec![plain, of_device] } else { vec![plain] }
+}
 
 struct Sorted {
     keys: Vec<u64>,
@@ -100,19 +109,21 @@ fn twin_agrees_with_the_standard_library() {
 
 #[test]
 fn random_keys_of_every_size() {
-    let mut rig = support::rig();
-    for n in sizes(16) {
-        check(&mut rig, &random_keys(n), "random");
+    for mut rig in rigs() {
+        for n in sizes(16) {
+            check(&mut rig, &random_keys(n), "random");
+        }
     }
 }
 
 #[test]
 fn random_keys_around_a_million() {
-    let mut rig = support::rig();
-    let plan = check(&mut rig, &random_keys(1 << 20), "random");
-    assert_eq!(plan.digits_run, SORT_DIGITS);
-    for n in [(1 << 20) - 1, (1 << 20) + 1] {
-        check(&mut rig, &some_digits(n, 0x0000_ff00_00ff_0000), "two digits");
+    for mut rig in rigs() {
+        let plan = check(&mut rig, &random_keys(1 << 20), "random");
+        assert_eq!(plan.digits_run, SORT_DIGITS);
+        for n in [(1 << 20) - 1, (1 << 20) + 1] {
+            check(&mut rig, &some_digits(n, 0x0000_ff00_00ff_0000), "two digits");
+        }
     }
 }
 
@@ -120,30 +131,32 @@ fn random_keys_around_a_million() {
 fn random_keys_of_scan_chunks() {
     // The scan takes 2,048 tiles at a time, 8 M pairs: one digit is enough to see the carry between chunks, and a
     // partial chunk behind a full one.
-    let mut rig = support::rig();
-    let n = SORT_TILE * 2049 + 5;
-    check(&mut rig, &some_digits(n, 0xff00), "one digit");
+    for mut rig in rigs() {
+        let n = SORT_TILE * 2049 + 5;
+        check(&mut rig, &some_digits(n, 0xff00), "one digit");
+    }
 }
 
 #[test]
 fn orders_that_are_special() {
-    let mut rig = support::rig();
-    for n in [2, SORT_TILE - 1, SORT_TILE + 1, 20_000] {
-        let ascending: Vec<u64> = (0..n).map(|i| u64::from(i) * 0x0001_0003_0000_7001).collect();
-        let descending: Vec<u64> = ascending.iter().rev().copied().collect();
-        check(&mut rig, &ascending, "already sorted");
-        check(&mut rig, &descending, "reversed");
-        for key in [0, u64::MAX, 0x7edc_ba98_7654_3210] {
-            let plan = check(&mut rig, &vec![key; n as usize], "all equal");
-            assert_eq!((plan.digits_run, plan.result), (0, SORT_IN_FRONT));
+    for mut rig in rigs() {
+        for n in [2, SORT_TILE - 1, SORT_TILE + 1, 20_000] {
+            let ascending: Vec<u64> = (0..n).map(|i| u64::from(i) * 0x0001_0003_0000_7001).collect();
+            let descending: Vec<u64> = ascending.iter().rev().copied().collect();
+            check(&mut rig, &ascending, "already sorted");
+            check(&mut rig, &descending, "reversed");
+            for key in [0, u64::MAX, 0x7edc_ba98_7654_3210] {
+                let plan = check(&mut rig, &vec![key; n as usize], "all equal");
+                assert_eq!((plan.digits_run, plan.result), (0, SORT_IN_FRONT));
+            }
+            // All keys agree but one, at either end.
+            let mut odd = vec![0x0101_0101_0101_0101; n as usize];
+            odd[0] = u64::MAX;
+            check(&mut rig, &odd, "first is greatest");
+            odd[0] = 0x0101_0101_0101_0101;
+            odd[n as usize - 1] = 0;
+            check(&mut rig, &odd, "last is least");
         }
-        // All keys agree but one, at either end.
-        let mut odd = vec![0x0101_0101_0101_0101; n as usize];
-        odd[0] = u64::MAX;
-        check(&mut rig, &odd, "first is greatest");
-        odd[0] = 0x0101_0101_0101_0101;
-        odd[n as usize - 1] = 0;
-        check(&mut rig, &odd, "last is least");
     }
 }
 
@@ -151,28 +164,30 @@ fn orders_that_are_special() {
 fn digits_that_follow_the_layout_of_threads() {
     // Ranking works on rows of SORT_LANES keys, 32 of the hardware's, tiles of SORT_TILE: digits that are constant in
     // one of these, alternate in it, or change at its edges.
-    let mut rig = support::rig();
-    let n = 2 * SORT_TILE + SORT_TILE / 2 + 3;
-    let spread = |digit: u32| u64::from(digit & 255) * 0x0101_0101_0101_0101;
-    for run in [1, 2, SORT_LANES - 1, SORT_LANES, SORT_LANES + 1, 32, 256, SORT_TILE] {
-        let constant: Vec<u64> = (0..n).map(|i| spread(i / run)).collect();
-        check(&mut rig, &constant, "constant runs");
-        let falling: Vec<u64> = (0..n).map(|i| spread(255 - i / run)).collect();
-        check(&mut rig, &falling, "falling runs");
-        let alternating: Vec<u64> = (0..n).map(|i| spread(if i / run % 2 == 0 { 0 } else { 255 })).collect();
-        check(&mut rig, &alternating, "alternating runs");
-        let within: Vec<u64> = (0..n).map(|i| spread(i % run)).collect();
-        check(&mut rig, &within, "repeated runs");
+    for mut rig in rigs() {
+        let n = 2 * SORT_TILE + SORT_TILE / 2 + 3;
+        let spread = |digit: u32| u64::from(digit & 255) * 0x0101_0101_0101_0101;
+        for run in [1, 2, SORT_LANES - 1, SORT_LANES, SORT_LANES + 1, 32, 256, SORT_TILE] {
+            let constant: Vec<u64> = (0..n).map(|i| spread(i / run)).collect();
+            check(&mut rig, &constant, "constant runs");
+            let falling: Vec<u64> = (0..n).map(|i| spread(255 - i / run)).collect();
+            check(&mut rig, &falling, "falling runs");
+            let alternating: Vec<u64> = (0..n).map(|i| spread(if i / run % 2 == 0 { 0 } else { 255 })).collect();
+            check(&mut rig, &alternating, "alternating runs");
+            let within: Vec<u64> = (0..n).map(|i| spread(i % run)).collect();
+            check(&mut rig, &within, "repeated runs");
+        }
     }
 }
 
 #[test]
 fn payload_is_carried_whatever_it_is() {
-    let mut rig = support::rig();
-    let keys: Vec<u64> = (0..9000_u64).map(|i| (i * 7919) % 13).collect();
-    let payload: Vec<u32> = (0..9000_u32).map(|i| !i.rotate_left(9)).collect();
-    let sorted = sort_on_gpu(&mut rig, &keys, &payload);
-    assert_eq!((sorted.keys, sorted.payload), cpu::sort::stable(&keys, &payload));
+    for mut rig in rigs() {
+        let keys: Vec<u64> = (0..9000_u64).map(|i| (i * 7919) % 13).collect();
+        let payload: Vec<u32> = (0..9000_u32).map(|i| !i.rotate_left(9)).collect();
+        let sorted = sort_on_gpu(&mut rig, &keys, &payload);
+        assert_eq!((sorted.keys, sorted.payload), cpu::sort::stable(&keys, &payload));
+    }
 }
 
 #[test]
@@ -212,42 +227,43 @@ fn a_digit_in_which_all_agree_runs_no_workgroup() {
 
 /// Plays a sort pass by pass, and compares what each wrote, so that a wrong stage can be told from a right one.
 fn check_stages(keys: &[u64]) {
-    let mut rig = support::rig();
-    let n = keys.len() as u32;
-    let payload: Vec<u32> = (0..n).collect();
-    let plan = cpu::sort::plan(keys);
-    let mut whole = Recording::default();
-    sort::record(&mut whole, n);
-    let (mut twin_keys, mut twin_payload) = (keys.to_vec(), payload.clone());
-    load(&mut rig, keys, &payload);
-    for call in whole.calls() {
-        let mut one = Recording::default();
-        let params: [u32; 3] = bytemuck::pod_read_unaligned(&call.params);
-        one.run(call.pass, call.size).params(&params);
-        rig.play(&one).unwrap();
-        let digit = params[2];
-        let SortDigit { source, skipped, .. } = plan.digits[digit as usize];
-        if skipped == 1 {
-            continue;
+    for mut rig in rigs() {
+        let n = keys.len() as u32;
+        let payload: Vec<u32> = (0..n).collect();
+        let plan = cpu::sort::plan(keys);
+        let mut whole = Recording::default();
+        sort::record(&mut whole, n);
+        let (mut twin_keys, mut twin_payload) = (keys.to_vec(), payload.clone());
+        load(&mut rig, keys, &payload);
+        for call in whole.calls() {
+            let mut one = Recording::default();
+            let params: [u32; 3] = bytemuck::pod_read_unaligned(&call.params);
+            one.run(call.pass, call.size).params(&params);
+            rig.play(&one).unwrap();
+            let digit = params[2];
+            let SortDigit { source, skipped, .. } = plan.digits[digit as usize];
+            if skipped == 1 {
+                continue;
+            }
+            let mut counts = cpu::sort::count(&twin_keys, digit);
+            if call.pass.name == sort::SORT_COUNT.name {
+                assert_eq!(rig.read::<u32>("sort_counts").unwrap(), counts, "count of digit {digit}");
+                continue;
+            }
+            let totals = cpu::sort::scan(&mut counts);
+            if [sort::SORT_SCAN.name, sort::SORT_SCAN_FEW.name].contains(&call.pass.name) {
+                assert_eq!(rig.read::<u32>("sort_counts").unwrap(), counts, "scan of digit {digit}");
+                let all: Vec<u32> = rig.read("sort_totals").unwrap();
+                assert_eq!(all[256 * digit as usize..][..256], totals, "totals of digit {digit}");
+            } else if call.pass.name == sort::SORT_SCATTER.name {
+                (twin_keys, twin_payload) = cpu::sort::scatter(&twin_keys, &twin_payload, digit, &counts, &totals);
+                let to = if source == SORT_IN_FRONT { ["keys_back", "payload_back"] } else { ["keys", "payload"] };
+                assert_eq!(rig.read::<u64>(to[0]).unwrap(), twin_keys, "scatter of digit {digit}");
+                assert_eq!(rig.read::<u32>(to[1]).unwrap(), twin_payload, "scatter of digit {digit}");
+            }
         }
-        let mut counts = cpu::sort::count(&twin_keys, digit);
-        if call.pass.name == sort::SORT_COUNT.name {
-            assert_eq!(rig.read::<u32>("sort_counts").unwrap(), counts, "count of digit {digit}");
-            continue;
-        }
-        let totals = cpu::sort::scan(&mut counts);
-        if [sort::SORT_SCAN.name, sort::SORT_SCAN_FEW.name].contains(&call.pass.name) {
-            assert_eq!(rig.read::<u32>("sort_counts").unwrap(), counts, "scan of digit {digit}");
-            let all: Vec<u32> = rig.read("sort_totals").unwrap();
-            assert_eq!(all[256 * digit as usize..][..256], totals, "totals of digit {digit}");
-        } else if call.pass.name == sort::SORT_SCATTER.name {
-            (twin_keys, twin_payload) = cpu::sort::scatter(&twin_keys, &twin_payload, digit, &counts, &totals);
-            let to = if source == SORT_IN_FRONT { ["keys_back", "payload_back"] } else { ["keys", "payload"] };
-            assert_eq!(rig.read::<u64>(to[0]).unwrap(), twin_keys, "scatter of digit {digit}");
-            assert_eq!(rig.read::<u32>(to[1]).unwrap(), twin_payload, "scatter of digit {digit}");
-        }
+        assert_eq!((twin_keys, twin_payload), cpu::sort::stable(keys, &payload));
     }
-    assert_eq!((twin_keys, twin_payload), cpu::sort::stable(keys, &payload));
 }
 
 #[test]
@@ -265,19 +281,20 @@ fn stages_of_many_tiles_agree_with_their_twins() {
 fn repeated_sorts_give_the_same() {
     // 8 M pairs 100 times on a real GPU; on a CPU's driver enough to see a race between its two threads.
     let (n, repeats) = if support::stress() { (1 << 23, 100) } else { (1 << 16, 10) };
-    let mut rig = support::rig();
-    for (name, bytes) in sort::buffers(n) {
-        rig.reserve(name, bytes).unwrap();
-    }
-    let mut recording = Recording::default();
-    sort::record_fill(&mut recording, n);
-    sort::record(&mut recording, n);
-    let payload: Vec<u32> = (0..n).collect();
-    let expected = cpu::sort::stable(&random_keys(n), &payload);
-    for repeat in 0..repeats {
-        rig.play(&recording).unwrap();
-        let sorted = result(&rig, n as usize);
-        assert!((sorted.keys, sorted.payload) == expected, "sort {repeat} of {repeats} differs");
+    for mut rig in rigs() {
+        for (name, bytes) in sort::buffers(n) {
+            rig.reserve(name, bytes).unwrap();
+        }
+        let mut recording = Recording::default();
+        sort::record_fill(&mut recording, n);
+        sort::record(&mut recording, n);
+        let payload: Vec<u32> = (0..n).collect();
+        let expected = cpu::sort::stable(&random_keys(n), &payload);
+        for repeat in 0..repeats {
+            rig.play(&recording).unwrap();
+            let sorted = result(&rig, n as usize);
+            assert!((sorted.keys, sorted.payload) == expected, "sort {repeat} of {repeats} differs");
+        }
     }
 }
 
@@ -286,9 +303,10 @@ fn large_sizes() {
     if !support::stress() {
         return;
     }
-    let mut rig = support::rig();
-    for n in sizes(23).into_iter().filter(|n| *n > 1 << 16) {
-        check(&mut rig, &random_keys(n), "random");
+    for mut rig in rigs() {
+        for n in sizes(23).into_iter().filter(|n| *n > 1 << 16) {
+            check(&mut rig, &random_keys(n), "random");
+        }
     }
 }
 

@@ -137,8 +137,9 @@ fn shear_corner(query: Query, corner: vec3<f32>) -> vec3<f32> {
     return vec3(fma(-query.shear.xy, p.zz, p.xy), p.z);
 }
 
-// Both sides count, edges and corners belong to every triangle they bound, and a triangle without area is never hit.
-fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> TriangleHit {
+// Both sides count, edges and corners belong to every triangle they bound, and a triangle without area is never hit. `own` is its
+// padded_box().
+fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, own: PaddedBox) -> TriangleHit {
     let p = shear_corner(query, a);
     let q = shear_corner(query, b);
     let r = shear_corner(query, c);
@@ -150,7 +151,6 @@ fn intersect_triangle(query: Query, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) ->
     if (min(min(u, v), w) < 0.0 && max(max(u, v), w) > 0.0) || abs(det) < LEAST_AREA {
         return result;
     }
-    let own = padded_box(a, b, c);
     let interval = slab_interval(query, own.low, own.high);
     let area_normal = triangle_normal(a * query.unit, b * query.unit, c * query.unit);
     if interval.x > interval.y || all(area_normal == vec3(0.0)) {

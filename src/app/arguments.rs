@@ -7,6 +7,7 @@ use super::bench::BenchArguments;
 use super::check::CheckArguments;
 use super::compare::CompareArguments;
 use super::edits::EditsArguments;
+use super::export::ExportArguments;
 use super::help::HelpArguments;
 use super::judge::JudgeArguments;
 use super::new::NewArguments;
@@ -44,6 +45,8 @@ pub enum Command {
     Variants(Box<VariantsArguments>),
     /// Render the frames of a scene that changes with time, and a movie of them
     Animate(Box<AnimateArguments>),
+    /// Write a scene as another program reads it, and say what is otherwise there
+    Export(Box<ExportArguments>),
     /// Compare a picture with a reference
     Compare(CompareArguments),
     /// Check assets and shaders without rendering

@@ -9,6 +9,7 @@ mod check;
 mod compare;
 mod doctor;
 pub mod edits;
+pub mod export;
 pub mod help;
 pub mod judge;
 mod new;
@@ -27,6 +28,7 @@ use clap::{CommandFactory, Parser};
 pub use shared::failure::{Exit, Failure};
 
 use arguments::{Arguments, Command};
+use shared::interrupt::end_of_main;
 use window::ViewArguments;
 
 /// Runs the command line of this process.
@@ -67,12 +69,13 @@ pub fn main() -> ExitCode {
         Command::Bench(bench) => bench.run(),
         Command::Judge(judge) => judge::run(&judge),
         Command::Edits(edits) => edits::run(&edits),
+        Command::Export(export) => export::run(&export),
     };
     match result {
-        Ok(exit) => ExitCode::from(exit),
+        Ok(exit) => end_of_main(exit),
         Err(failure) => {
             failure.show();
-            ExitCode::from(failure.exit)
+            end_of_main(failure.exit)
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The film on the CPU: the twin of the accumulate pass, the film's means, and its error from the two halves.
+//! The film on the CPU: the twin of the accumulate pass, and the film's means.
 
 use glam::UVec2;
 
@@ -6,7 +6,7 @@ use crate::layout::film::{AccumulateParams, BadSample, FilmHalf, FilmPixel, SAMP
 use crate::layout::trace::{
     BAD_INFINITE, BAD_NAN, BAD_NEGATIVE, BAD_OVERFLOW, NO_MATERIAL, RadianceSample, SAMPLE_BAD,
 };
-use crate::stats::metrics::DARK;
+use crate::parallel;
 
 /// What a batch counted.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -96,63 +96,43 @@ fn split(sum: u64) -> UVec2 {
 
 /// Mean radiance of one half of a pixel, and the samples behind it; black without samples.
 pub fn half_mean(half: &FilmHalf, exponent: i32) -> ([f64; 3], u32) {
-    (half.sum.map(|sum| mean_of(u128::from(join(sum)), half.count, exponent)), half.count)
+    let scale = 2f64.powi(-exponent);
+    (half.sum.map(|sum| mean_of(join(sum) as f64, half.count, scale)), half.count)
 }
 
 /// Mean radiance of a pixel, and the samples behind it; black without samples.
 pub fn pixel_mean(pixel: &FilmPixel, exponent: i32) -> ([f64; 3], u32) {
     let [even, odd] = &pixel.halves;
-    let count = even.count + odd.count;
-    let sum = |c: usize| u128::from(join(even.sum[c])) + u128::from(join(odd.sum[c]));
-    ([0, 1, 2].map(|c| mean_of(sum(c), count, exponent)), count)
+    let (count, scale) = (even.count + odd.count, 2f64.powi(-exponent));
+    ([0, 1, 2].map(|c| mean_of(total(join(even.sum[c]), join(odd.sum[c])), count, scale)), count)
 }
 
-fn mean_of(sum: u128, count: u32, exponent: i32) -> f64 {
-    if count == 0 { 0.0 } else { sum as f64 / f64::from(count) * 2f64.powi(-exponent) }
+/// The sum of two sums, rounded once.
+fn total(a: u64, b: u64) -> f64 {
+    a.checked_add(b).map_or_else(|| (u128::from(a) + u128::from(b)) as f64, |sum| sum as f64)
 }
+
+fn mean_of(sum: f64, count: u32, scale: f64) -> f64 {
+    if count == 0 { 0.0 } else { sum / f64::from(count) * scale }
+}
+
+/// Pixels that a thread sums up at once.
+const PIECE: usize = 1 << 14;
 
 /// Mean over all pixels that have samples; black if none has.
 pub fn film_mean(film: &[FilmPixel], exponent: i32) -> [f64; 3] {
-    let means = || film.iter().map(|pixel| pixel_mean(pixel, exponent)).filter(|(_, count)| *count > 0);
-    let pixels = means().count().max(1) as f64;
-    means().fold([0.0; 3], |sum, (mean, _)| [0, 1, 2].map(|c| sum[c] + mean[c] / pixels))
+    let piece = |number: usize| {
+        let pixels = film.iter().skip(number * PIECE).take(PIECE);
+        let means = pixels.map(|pixel| pixel_mean(pixel, exponent)).filter(|(_, count)| *count > 0);
+        means.fold(([0.0; 3], 0u64), |(sum, pixels), (mean, _)| (add_colours(sum, mean), pixels + 1))
+    };
+    let pieces = parallel::map(film.len().div_ceil(PIECE), piece);
+    let (sum, pixels) = pieces
+        .into_iter()
+        .fold(([0.0; 3], 0), |(sum, pixels), (more, others)| (add_colours(sum, more), pixels + others));
+    sum.map(|channel| channel / pixels.max(1) as f64)
 }
 
-/// Pixels on every side whose radiance stands for that of the one in their middle, where an error is made relative.
-const REACH: usize = 4;
-
-/// The relMSE that the film's mean is estimated to have: the mean over pixels and channels of var / (radiance^2 + 0.01). `width` is
-/// that of the window whose pixels these are, row by row.
-///
-/// The halves are independent, so (h0 - h1)^2 has the mean s^2 (1 / c0 + 1 / c1) where the mean of both has variance s^2 /
-/// (c0 + c1): a quarter of it for equal counts. The radiance is the mean of a square of pixels: by its own pixel's mean a rare
-/// bright sample would be in what it is measured by, and hide itself. 0 where no pixel has samples in both halves.
-pub fn relative_error(film: &[FilmPixel], width: usize, exponent: i32) -> f64 {
-    let means: Vec<_> =
-        film.iter().map(|pixel| pixel.halves.each_ref().map(|half| half_mean(half, exponent))).collect();
-    let (mut sum, mut terms) = (0.0, 0u64);
-    for c in 0..3 {
-        let own = means.iter().map(|[(h0, c0), (h1, c1)]| (*c0 > 0 && *c1 > 0).then_some(0.5 * (h0[c] + h1[c])));
-        let around = square_means(own, width);
-        for ([(h0, c0), (h1, c1)], radiance) in means.iter().zip(around).filter(|(m, _)| m[0].1 > 0 && m[1].1 > 0) {
-            let (c0, c1) = (f64::from(*c0), f64::from(*c1));
-            let share = c0 * c1 / ((c0 + c1) * (c0 + c1));
-            sum += (h0[c] - h1[c]).powi(2) * share / (radiance * radiance + DARK);
-            terms += 1;
-        }
-    }
-    sum / terms.max(1) as f64
-}
-
-/// The mean of the values that there are within [`REACH`] of each pixel, by columns and then by rows; 0 where there is none.
-fn square_means(values: impl Iterator<Item = Option<f64>>, width: usize) -> Vec<f64> {
-    let values: Vec<[f64; 2]> = values.map(|value| value.map_or([0.0; 2], |value| [value, 1.0])).collect();
-    let width = width.max(1);
-    let height = values.len() / width;
-    let add = |sum: [f64; 2], value: &[f64; 2]| [sum[0] + value[0], sum[1] + value[1]];
-    let near = |at: usize, count: usize| at.saturating_sub(REACH)..(at + REACH + 1).min(count);
-    let column = |i: usize| near(i / width, height).fold([0.0; 2], |sum, y| add(sum, &values[y * width + i % width]));
-    let columns: Vec<[f64; 2]> = (0..height * width).map(column).collect();
-    let square = |i: usize| near(i % width, width).fold([0.0; 2], |sum, x| add(sum, &columns[i / width * width + x]));
-    (0..height * width).map(square).map(|[sum, count]| if count > 0.0 { sum / count } else { 0.0 }).collect()
+fn add_colours(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|c| a[c] + b[c])
 }

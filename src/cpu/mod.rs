@@ -7,6 +7,7 @@ pub mod camera;
 pub mod connect;
 pub mod display;
 pub mod film;
+pub mod film_error;
 mod gather;
 pub mod intersect;
 pub mod lint;

@@ -5,9 +5,11 @@ use glam::UVec2;
 
 use crate::components::Crop;
 use crate::cpu::display;
-use crate::cpu::film::{film_mean, half_mean, pixel_mean, relative_error};
+use crate::cpu::film::{film_mean, half_mean, pixel_mean};
+use crate::cpu::film_error::relative_error;
 use crate::layout::film::FilmPixel;
 use crate::layout::view::ViewMode;
+use crate::parallel;
 use crate::passes::lattice::Lattice;
 use crate::passes::{Recording, film};
 use crate::systems::EngineError;
@@ -79,12 +81,11 @@ pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
         let mut films = world.query::<&mut FilmProgress>();
         films.iter_mut(world).for_each(|mut progress| progress.shown = Some(ViewMode::Beauty));
     }
-    let as_f32 = |mean: [f64; 3]| mean.map(|channel| channel as f32);
-    let half = |h: usize| pixels.iter().map(|p| as_f32(half_mean(&p.halves[h], exponent).0)).collect();
+    let half = |h: usize| of_each(&pixels, |pixel| half_mean(&pixel.halves[h], exponent).0);
     Ok(FilmImage {
         size,
         window,
-        rgb: pixels.iter().map(|p| as_f32(pixel_mean(p, exponent).0)).collect(),
+        rgb: of_each(&pixels, |pixel| pixel_mean(pixel, exponent).0),
         halves: [half(0), half(1)],
         spp: before.samples,
         mean: film_mean(&pixels, exponent),
@@ -94,6 +95,33 @@ pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
     })
 }
 
+/// Pixels that a thread takes at once.
+const PIECE: usize = 1 << 14;
+
+/// A colour of each pixel, rounded.
+fn of_each(pixels: &[FilmPixel], colour: impl Fn(&FilmPixel) -> [f64; 3] + Sync) -> Vec<[f32; 3]> {
+    let mut colours = vec![[0.0; 3]; pixels.len()];
+    parallel::fill(&mut colours, PIECE, |first, piece| {
+        let from = &pixels[first..];
+        piece.iter_mut().zip(from).for_each(|(to, pixel)| *to = colour(pixel).map(|channel| channel as f32));
+    });
+    colours
+}
+
+/// The film's estimated relMSE; 0 where no pixel has two samples. Sooner known than the whole film is read.
+pub fn read_error(world: &World) -> Result<f64, EngineError> {
+    let shot = world.resource::<Shot>();
+    let (size, exponent) = (shot.size(), shot.exponent);
+    match (size.min_element(), progress(world).begun) {
+        (0, _) => Err(EngineError::EmptyFilm),
+        (_, false) => Ok(0.0),
+        (_, true) => {
+            let error = |film: &[FilmPixel]| relative_error(film, size.x as usize, exponent);
+            Ok(world.resource::<Device>().0.look_at("film", (size.x * size.y) as usize, error)?)
+        }
+    }
+}
+
 /// How far the picture's codes are from those of the true film, by the film's own two halves.
 pub fn picture_error(world: &World) -> Result<f64, EngineError> {
     let (shot, look) = (world.resource::<Shot>(), world.resource::<Displayed>().0);
@@ -101,8 +129,9 @@ pub fn picture_error(world: &World) -> Result<f64, EngineError> {
     if size.min_element() == 0 || !progress(world).begun {
         return Err(EngineError::EmptyFilm);
     }
-    let pixels: Vec<FilmPixel> = world.resource::<Device>().0.read_some("film", (size.x * size.y) as usize)?;
-    Ok(display::error(&pixels, &film::display_params(size, Lattice::default(), shot.exponent, look)))
+    let params = film::display_params(size, Lattice::default(), shot.exponent, look);
+    let error = |film: &[FilmPixel]| display::error(film, &params);
+    Ok(world.resource::<Device>().0.look_at("film", (size.x * size.y) as usize, error)?)
 }
 
 /// Reads the film's mean radiance alone; black where nothing was traced.
@@ -113,8 +142,8 @@ pub fn read_radiance(world: &World) -> Result<Vec<[f32; 3]>, EngineError> {
         (0, _) => Err(EngineError::EmptyFilm),
         (_, false) => Ok(vec![[0.0; 3]; count]),
         (_, true) => {
-            let pixels: Vec<FilmPixel> = world.resource::<Device>().0.read_some("film", count)?;
-            Ok(pixels.iter().map(|pixel| pixel_mean(pixel, exponent).0.map(|channel| channel as f32)).collect())
+            let means = |film: &[FilmPixel]| of_each(film, |pixel| pixel_mean(pixel, exponent).0);
+            Ok(world.resource::<Device>().0.look_at("film", count, means)?)
         }
     }
 }

@@ -8,7 +8,7 @@ mod report;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec4};
@@ -265,12 +265,14 @@ impl Engine {
 
     /// Runs the schedule once: takes up changes, and adds samples for about `budget`.
     pub fn step(&mut self, budget: Duration) -> Result<Progress, EngineError> {
+        let start = Instant::now();
         let before: u64 = self.dispatches().values().sum();
         let samples = self.world.resource::<Spent>().samples;
         self.world.resource_mut::<Budget>().0 = budget;
         *self.world.resource_mut::<Frame>() = Frame::default();
         self.schedule.run(&mut self.world);
         self.world.clear_trackers();
+        self.world.resource_mut::<Spent>().steps += start.elapsed().as_secs_f64();
         if let Some(error) = self.world.resource_mut::<Fault>().0.take() {
             systems::go_back(&mut self.world, error).inspect_err(|_| systems::start_again(&mut self.world))?;
         }
@@ -375,6 +377,11 @@ impl Engine {
     /// Reads the film back, with its picture.
     pub fn film(&mut self) -> Result<FilmImage, EngineError> {
         film::read_film(&mut self.world)
+    }
+
+    /// The film's estimated relMSE, of which nothing else is read; 0 where no pixel has two samples.
+    pub fn relative_error(&self) -> Result<f64, EngineError> {
+        film::read_error(&self.world)
     }
 
     /// Reads back what is shown of the film's window, sRGB, row by row from the top; none before anything is.

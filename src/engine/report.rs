@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bevy_ecs::prelude::*;
 
 use super::film;
-use crate::gpu::{GpuTable, PassTiming};
+use crate::gpu::{GpuTable, PassCompile, PassTiming};
 use crate::layout::film::{BAD_LOG, BadSample, FilmCounters};
 use crate::layout::tree::{Triangle, node_count};
 use crate::systems::EngineError;
@@ -25,6 +25,12 @@ pub struct Report {
     pub samples: u64,
     /// Rays of those samples, counted on the GPU.
     pub rays: u64,
+    /// Seconds of taking up the scene: entities to arrays, and sending those.
+    pub seconds_extract: f64,
+    /// Seconds of linking, validating and compiling what was missing of the passes.
+    pub seconds_compile: f64,
+    /// What that took by pass, in the order of names: those of one scene are compiled at the same time.
+    pub compiles: Vec<PassCompile>,
     /// Seconds from the first submission of a tree to its end.
     pub seconds_build: f64,
     /// Seconds of all batches of samples, from submission to end.
@@ -61,6 +67,9 @@ pub fn read_report(world: &mut World) -> Result<Report, EngineError> {
         texture_bytes: textures.1,
         samples: progress.traced(window),
         rays: u64::from(counters.rays_hi.0) << 32 | u64::from(counters.rays_lo.0),
+        seconds_extract: (spent.steps - spent.compile - spent.build - spent.trace - spent.picture).max(0.0),
+        seconds_compile: spent.compile,
+        compiles: device.compiler().compile_times(),
         seconds_build: spent.build,
         seconds_trace: spent.trace,
         bad_samples: u64::from(bad),

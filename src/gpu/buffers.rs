@@ -1,6 +1,7 @@
 //! Buffers by name.
 
 use std::collections::HashMap;
+use std::sync::{Mutex, PoisonError};
 
 use super::{Gpu, GpuError};
 use crate::layout::trace::MaterialRecord;
@@ -9,6 +10,8 @@ use crate::layout::trace::MaterialRecord;
 #[derive(Default)]
 pub struct Buffers {
     named: HashMap<&'static str, Slot>,
+    /// What the last read came through: making one takes longer than reading by it.
+    staging: Mutex<Option<wgpu::Buffer>>,
 }
 
 struct Slot {
@@ -23,6 +26,9 @@ struct Slot {
 
 /// WGSL's runtime-sized arrays need room for at least one element; every shared struct but parameters fits.
 const SMALLEST: u64 = 128;
+
+/// Bytes of the largest buffer for reading that is kept.
+const MOST_STAGED: u64 = 256 << 20;
 
 const _: () = assert!(size_of::<MaterialRecord>() as u64 <= SMALLEST, "the largest element of an array");
 
@@ -102,40 +108,56 @@ impl Buffers {
         self.named.get(name).map(|slot| (&slot.buffer, slot.size, slot.generation))
     }
 
-    /// Copies the first `bytes` of `name` back, waiting for all that was submitted before.
-    pub fn read(&self, gpu: &Gpu, name: &'static str, bytes: u64) -> Result<Vec<u8>, GpuError> {
-        self.read_at(gpu, name, 0, bytes)
-    }
-
-    /// Copies `bytes` of `name` back from `offset` on, a multiple of 4, waiting for all that was submitted before.
-    pub fn read_at(&self, gpu: &Gpu, name: &'static str, offset: u64, bytes: u64) -> Result<Vec<u8>, GpuError> {
+    /// Copies `bytes` of `name` back from `offset` on, a multiple of 4, waiting for all that was submitted before; `look` is shown them.
+    pub fn read<R>(
+        &self,
+        gpu: &Gpu,
+        name: &'static str,
+        (offset, bytes): (u64, u64),
+        look: impl FnOnce(&[u8]) -> R,
+    ) -> Result<R, GpuError> {
         let Some(slot) = self.named.get(name).filter(|slot| slot.size >= offset.saturating_add(bytes)) else {
             return Err(GpuError::NoBuffer { pass: "readback", buffer: name });
         };
         if bytes == 0 {
-            return Ok(Vec::new());
+            return Ok(look(&[]));
         }
         let size = bytes.next_multiple_of(4);
-        let staging = gpu.guarded("a readback buffer", || {
+        let staging = self.staging(gpu, size)?;
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        encoder.copy_buffer_to_buffer(&slot.buffer, offset, &staging, 0, size);
+        gpu.queue.submit([encoder.finish()]);
+        let (sender, receiver) = std::sync::mpsc::channel();
+        staging.map_async(wgpu::MapMode::Read, ..size, move |result| {
+            let _ = sender.send(result);
+        });
+        gpu.wait()?;
+        let failed = |reason: String| GpuError::Validation { what: format!("reading `{name}` back"), reason };
+        receiver.recv().map_err(|e| failed(e.to_string()))?.map_err(|e| failed(e.to_string()))?;
+        let view = staging.get_mapped_range(..size).map_err(|e| failed(e.to_string()))?;
+        let seen = look(&view[..bytes as usize]);
+        drop(view);
+        staging.unmap();
+        if staging.size() <= MOST_STAGED {
+            *self.staging.lock().unwrap_or_else(PoisonError::into_inner) = Some(staging);
+        }
+        Ok(seen)
+    }
+
+    /// A buffer of at least `size` bytes to read by: the last one, if it is large enough.
+    fn staging(&self, gpu: &Gpu, size: u64) -> Result<wgpu::Buffer, GpuError> {
+        let kept = self.staging.lock().unwrap_or_else(PoisonError::into_inner).take();
+        if let Some(kept) = kept.filter(|kept| kept.size() >= size) {
+            return Ok(kept);
+        }
+        gpu.guarded("a readback buffer", || {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("readback"),
                 size,
                 usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             })
-        })?;
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        encoder.copy_buffer_to_buffer(&slot.buffer, offset, &staging, 0, size);
-        gpu.queue.submit([encoder.finish()]);
-        let (sender, receiver) = std::sync::mpsc::channel();
-        staging.map_async(wgpu::MapMode::Read, .., move |result| {
-            let _ = sender.send(result);
-        });
-        gpu.wait()?;
-        let failed = |reason: String| GpuError::Validation { what: format!("reading `{name}` back"), reason };
-        receiver.recv().map_err(|e| failed(e.to_string()))?.map_err(|e| failed(e.to_string()))?;
-        let view = staging.get_mapped_range(..).map_err(|e| failed(e.to_string()))?;
-        Ok(view[..bytes as usize].to_vec())
+        })
     }
 
     /// Bytes that were asked for under `name`; 0 if there is none.

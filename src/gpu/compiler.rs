@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 use super::code::{Code, LOOPS, Use};
 use super::entry::{checked_entry, features_of};
@@ -25,8 +26,20 @@ pub struct Compiler {
     gpu: Arc<Gpu>,
     serial: Arc<AtomicU32>,
     in_use: Arc<Mutex<BTreeMap<&'static str, Use>>>,
-    /// How many pipelines of each pass were compiled.
-    compiled: Arc<Mutex<BTreeMap<&'static str, u64>>>,
+    /// What compiling each pass took so far.
+    compiled: Arc<Mutex<BTreeMap<&'static str, PassCompile>>>,
+}
+
+/// What it took to make pipelines of a pass, in all.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PassCompile {
+    pub name: &'static str,
+    /// Pipelines that were compiled.
+    pub count: u64,
+    /// Linking and validating their code, milliseconds.
+    pub link_milliseconds: f64,
+    /// The driver's compiling, milliseconds.
+    pub driver_milliseconds: f64,
 }
 
 impl Compiler {
@@ -67,7 +80,12 @@ impl Compiler {
 
     /// How many pipelines of each pass were compiled since the runtime was made.
     pub fn compiled(&self) -> BTreeMap<&'static str, u64> {
-        self.compiled.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        self.compile_times().into_iter().map(|pass| (pass.name, pass.count)).collect()
+    }
+
+    /// What compiling each pass took since the runtime was made, by name.
+    pub fn compile_times(&self) -> Vec<PassCompile> {
+        self.compiled.lock().unwrap_or_else(PoisonError::into_inner).values().cloned().collect()
     }
 
     /// Links passes and compiles those for which `known` has nothing, each in a thread of its own: drivers compile in
@@ -82,6 +100,7 @@ impl Compiler {
     ) -> Result<Vec<Use>, GpuError> {
         library.parameters()?;
         let make = |pass: &'static Pass, features: &Features| -> Result<Use, GpuError> {
+            let start = Instant::now();
             let own = features_of(pass, features);
             let mut linked = library.link(pass.module, &own)?;
             let (key, imports) = (linked.features.clone(), linked.imports.clone());
@@ -93,7 +112,7 @@ impl Compiler {
                     if self.gpu.is_software() {
                         linked.large_variables().into_iter().for_each(warn);
                     }
-                    let (pipeline, loops) = self.compile(pass, linked, &own)?;
+                    let (pipeline, loops) = self.compile(pass, linked, &own, start)?;
                     (Arc::new(pipeline), loops)
                 }
             };
@@ -117,9 +136,9 @@ impl Compiler {
         pass: &'static Pass,
         mut linked: Linked,
         features: &Features,
+        started: Instant,
     ) -> Result<(Pipeline, Vec<Place>), GpuError> {
         let serial = self.serial.fetch_add(1, Ordering::Relaxed);
-        *self.compiled.lock().unwrap_or_else(PoisonError::into_inner).entry(pass.name).or_default() += 1;
         let fingerprint = linked.fingerprint();
         let (edited, limited) = (linked.edited, linked.limited);
         let loops = match limited {
@@ -127,8 +146,19 @@ impl Compiler {
             false => Vec::new(),
         };
         let entry = checked_entry(pass, &linked, features)?;
+        let linked_at = Instant::now();
         let (compute, layout) = build(&self.gpu, pass, &entry, linked.module)?;
+        self.note(pass.name, linked_at - started, linked_at.elapsed());
         Ok((Pipeline { compute, layout, entry, serial, fingerprint, edited, limited }, loops))
+    }
+
+    /// Takes note of a pipeline that was compiled.
+    fn note(&self, pass: &'static str, link: Duration, driver: Duration) {
+        let mut compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let times = compiled.entry(pass).or_insert_with(|| PassCompile { name: pass, ..PassCompile::default() });
+        times.count += 1;
+        times.link_milliseconds += link.as_secs_f64() * 1e3;
+        times.driver_milliseconds += driver.as_secs_f64() * 1e3;
     }
 
     /// Rounds that all loops of an invocation of an edited shader may take.

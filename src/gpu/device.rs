@@ -3,13 +3,15 @@
 use std::sync::{Arc, Mutex};
 
 use super::{GpuError, room};
+use crate::shader::BALLOTS;
 
 /// The environment variable that picks an adapter by its number in `lucerna doctor`.
 const ADAPTER_VARIABLE: &str = "LUCERNA_ADAPTER";
 
 /// Features that are used where they are there; each has a fallback.
 fn wanted_features() -> wgpu::Features {
-    wgpu::Features::TIMESTAMP_QUERY
+    wgpu::Features::SUBGROUP
+        | wgpu::Features::TIMESTAMP_QUERY
         | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS
         | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES
 }
@@ -192,9 +194,26 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
+    /// Whether the process may end while the device is open. NVIDIA's driver has compiled shaders in its cache by the time they run, and takes
+    /// a tenth of a second to close. Mesa's writes its cache in a thread that is waited for where devices are closed in order.
+    pub fn may_be_left_open(&self) -> bool {
+        self.info.driver == "NVIDIA"
+    }
+
     /// What shaders may know of the device, as features that they are linked with.
     pub fn shader_features(&self) -> &'static [&'static str] {
-        if self.is_software() { &["software"] } else { &[] }
+        match (self.is_software(), self.has_ballots()) {
+            (false, false) => &[],
+            (false, true) => &[BALLOTS],
+            (true, false) => &["software"],
+            (true, true) => &["software", BALLOTS],
+        }
+    }
+
+    /// Whether subgroups have operations, and 32 threads whatever the driver chooses.
+    fn has_ballots(&self) -> bool {
+        let sizes = [self.info.subgroup_min_size, self.info.subgroup_max_size];
+        self.features.contains(wgpu::Features::SUBGROUP) && sizes == [32, 32]
     }
 
     /// Waits until all that was submitted is done.

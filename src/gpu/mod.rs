@@ -18,7 +18,7 @@ mod timing;
 
 pub use buffers::Buffers;
 pub use code::{Code, Values};
-pub use compiler::Compiler;
+pub use compiler::{Compiler, PassCompile};
 pub use device::{AdapterSummary, Gpu, adapters};
 pub use entry::{checked_entry, features_of};
 pub use error::GpuError;

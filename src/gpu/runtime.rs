@@ -9,6 +9,7 @@ use super::pipelines::Pipelines;
 use super::player::{PARAMS, Player, Stage};
 use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError, PassTiming};
+use crate::parallel;
 use crate::passes::{Pass, Recording};
 use crate::shader::{ErrorKind, Features, LOOP_FAULTS, Library, Parameter, ShaderError};
 
@@ -166,16 +167,30 @@ impl Runtime {
     }
 
     /// The first `count` items of a buffer, after all that was submitted.
-    pub fn read_some<T: bytemuck::AnyBitPattern>(&self, name: &'static str, count: usize) -> Result<Vec<T>, GpuError> {
-        let bytes = self.buffers.read(&self.gpu, name, (count * size_of::<T>()) as u64)?;
-        Ok(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned).collect())
+    pub fn read_some<T>(&self, name: &'static str, count: usize) -> Result<Vec<T>, GpuError>
+    where
+        T: bytemuck::AnyBitPattern + Send,
+    {
+        self.buffers.read(&self.gpu, name, (0, (count * size_of::<T>()) as u64), copied)
+    }
+
+    /// What `look` makes of the first `count` items of a buffer, after all that was submitted.
+    pub fn look_at<T, R>(&self, name: &'static str, count: usize, look: impl FnOnce(&[T]) -> R) -> Result<R, GpuError>
+    where
+        T: bytemuck::AnyBitPattern + Send,
+    {
+        let look = |bytes: &[u8]| match bytemuck::try_cast_slice(bytes) {
+            Ok(items) => look(items),
+            // What is mapped may begin anywhere.
+            Err(_) => look(&copied(bytes)),
+        };
+        self.buffers.read(&self.gpu, name, (0, (count * size_of::<T>()) as u64), look)
     }
 
     /// One item of a buffer, after all that was submitted.
     pub fn read_one<T: bytemuck::AnyBitPattern>(&self, name: &'static str, index: u64) -> Result<T, GpuError> {
         let size = size_of::<T>() as u64;
-        let bytes = self.buffers.read_at(&self.gpu, name, index * size, size)?;
-        Ok(bytemuck::pod_read_unaligned(&bytes))
+        self.buffers.read(&self.gpu, name, (index * size, size), bytemuck::pod_read_unaligned)
     }
 
     /// A buffer by its name.
@@ -184,7 +199,7 @@ impl Runtime {
     }
 
     /// As many whole items as a buffer holds, after all that was submitted.
-    pub fn read<T: bytemuck::AnyBitPattern>(&self, name: &'static str) -> Result<Vec<T>, GpuError> {
+    pub fn read<T: bytemuck::AnyBitPattern + Send>(&self, name: &'static str) -> Result<Vec<T>, GpuError> {
         self.read_some(name, self.buffers.size(name) as usize / size_of::<T>())
     }
 
@@ -211,6 +226,20 @@ impl Runtime {
         timer.collect(&self.gpu)?;
         Ok(timer.take_spans())
     }
+}
+
+/// Items that a thread copies at once.
+const PIECE: usize = 1 << 16;
+
+/// Whole items of some bytes, which may begin anywhere.
+fn copied<T: bytemuck::AnyBitPattern + Send>(bytes: &[u8]) -> Vec<T> {
+    let size = size_of::<T>();
+    let mut items: Vec<T> = bytemuck::zeroed_vec(bytes.len() / size);
+    parallel::fill(&mut items, PIECE, |first, piece| {
+        let from = bytes[first * size..].chunks_exact(size);
+        piece.iter_mut().zip(from).for_each(|(item, bytes)| *item = bytemuck::pod_read_unaligned(bytes));
+    });
+    items
 }
 
 /// The passes of recordings, by call.

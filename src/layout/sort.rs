@@ -6,6 +6,8 @@
 gpu_consts! {
     /// Digits of a key.
     pub const SORT_DIGITS: u32 = 8;
+    /// Bits of a digit.
+    pub const SORT_BITS: u32 = 8;
     /// Values of a digit. As many as a workgroup has threads: thread `t` looks after bin `t`.
     pub const SORT_BINS: u32 = 256;
     /// Threads of every workgroup.
@@ -30,7 +32,7 @@ gpu_consts! {
 }
 
 const _: () = {
-    assert!(SORT_BINS == SORT_THREADS);
+    assert!(SORT_BINS == SORT_THREADS && SORT_BINS == 1 << SORT_BITS);
     // The masks and counts of the ranking lie in the words through which the tile is then reordered.
     assert!(SORT_THREADS / SORT_LANES * SORT_BINS == SORT_TILE);
     // The count beside a mask never reaches into it.

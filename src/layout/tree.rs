@@ -33,6 +33,9 @@ gpu_consts! {
     pub const BOUNDS_PER_THREAD: u32 = 8;
     /// Levels of the pyramid of boxes that one dispatch builds.
     pub const PYRAMID_LEVELS: u32 = 9;
+
+    /// Paths among so few triangles look at every leaf (`traverse_few.wgsl`): a bit for each in one word.
+    pub const FEW_TRIANGLES: u32 = 32;
 }
 
 gpu_struct! {
@@ -102,9 +105,6 @@ gpu_struct! {
         pub count: u32,
     }
 }
-
-/// Paths among so few triangles look at every leaf (`traverse_few.wgsl`): a bit for each in one word.
-pub const FEW_TRIANGLES: u32 = u32::BITS;
 
 /// The word that names the root of a tree over `count` triangles: node 0, the only leaf, or nothing.
 pub fn root(count: u32) -> u32 {

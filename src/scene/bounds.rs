@@ -22,6 +22,11 @@ impl Bounds {
         points.fold(Self::default(), |Self { low, high }, point| Self { low: low.min(point), high: high.max(point) })
     }
 
+    /// The least box around both.
+    pub fn around(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
     /// Whether it is around no point.
     pub fn is_empty(&self) -> bool {
         !self.low.cmple(self.high).all()

@@ -235,6 +235,11 @@ impl Tally {
         self.say(first, diagnostic);
     }
 
+    /// Whether there was a message of a kind.
+    pub fn has_told(&self, kind: &'static str) -> bool {
+        self.counts.contains_key(kind)
+    }
+
     /// All messages, with the counts of those that were not kept.
     pub fn finish(mut self) -> Diagnostics {
         for (kind, count) in &self.counts {

@@ -7,13 +7,13 @@ use super::diagnostic::{Diagnostic, Severity};
 use super::text::{cannot_read, lenient, not_utf8};
 
 /// Bytes that a line may have, its continuations included: a file without line ends must not fill the memory.
-const LINE_LIMIT: usize = 4 << 20;
+pub const LINE_LIMIT: usize = 4 << 20;
 
 /// What some editors put before UTF-8 text.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// What DOS ends a text with.
-const CTRL_Z: u8 = 0x1a;
+pub const CTRL_Z: u8 = 0x1a;
 
 /// Statements of names, which may be in any encoding; so may be those of images, `map_*`.
 const NAMING: &[&str] =
@@ -29,6 +29,11 @@ pub struct Line {
 }
 
 impl Line {
+    /// How many physical lines it is.
+    pub fn physical(&self) -> usize {
+        self.starts.len()
+    }
+
     /// A message about `part`, a slice of this line's text.
     pub fn at(&self, severity: Severity, part: &str, message: impl Into<String>) -> Diagnostic {
         let offset = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize).min(self.text.len());
@@ -98,6 +103,11 @@ impl<R: BufRead> Lines<R> {
             open_end: false,
             zeros: None,
         }
+    }
+
+    /// Reads text from within a file: so many lines are before it.
+    pub fn behind(reader: R, file: &Path, lines: u32) -> Self {
+        Self { number: lines, ..Self::new(reader, file) }
     }
 
     /// The number of the line read last, from 1.

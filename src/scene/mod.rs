@@ -61,6 +61,7 @@ pub use framing::reframe;
 pub use keys::{Colour, KEYS, Key, Range, Value};
 pub use load::{Loaded, Origin, attempt, attempt_in, load, load_with};
 pub use mtl::{Appearance, Fate, MtlMaterial, TextureMap, TextureMaps, Verdict};
+pub use obj::{NamedMeshes, read_obj_by};
 pub use source::SceneText;
 pub use suggest::did_you_mean;
 pub use textures::{Loading, MapUse, name as texture_name};

@@ -3,7 +3,10 @@
 use std::ops::Range;
 
 use naga::compact::KeepUnused;
-use naga::valid::{Capabilities, GlobalVariableError, ModuleInfo, ValidationError, ValidationFlags, Validator};
+use naga::valid::{
+    Capabilities, GlobalVariableError, ModuleInfo, ShaderStages, SubgroupOperationSet, ValidationError,
+    ValidationFlags, Validator,
+};
 use naga::{AddressSpace, Handle, Module, Span, Type, TypeInner, WithSpan};
 
 use crate::layout::StructLayout;
@@ -13,6 +16,9 @@ use super::generated::{FILE, Generated};
 use super::library::Library;
 use super::source_map::SourceMap;
 use super::{Features, depth, message, seek, site};
+
+/// The feature of code that subgroups of 32 threads run.
+pub const BALLOTS: &str = "ballots";
 
 /// Makes naga's module of a joined text: valid, of the layout that Rust has, and without what no entry point uses.
 pub fn check(
@@ -27,19 +33,24 @@ pub fn check(
     if let Some((range, message)) = depth::check_module(&module) {
         return Err(map.error(ErrorKind::Type, range.unwrap_or_else(|| map.first_declaration()), message));
     }
-    validate(&module, text, map)?;
+    validate(&module, text, map, features)?;
     check_bindings(&module, map)?;
     for layout in &generated.structs {
         check_layout(&module, layout, generated)?;
     }
     naga::compact::compact(&mut module, KeepUnused::No);
-    let info = validate(&module, text, map)?;
+    let info = validate(&module, text, map, features)?;
     Ok((module, info))
 }
 
-/// Validates for an adapter without optional features: what a shader needs beyond has no place in a portable engine.
-pub fn validate(module: &Module, text: &str, map: &SourceMap) -> Result<ModuleInfo, ShaderError> {
-    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::default());
+/// Validates for an adapter without optional features: what a shader needs beyond has no place in a portable engine, but in code that
+/// is compiled where a feature says that the adapter has it.
+pub fn validate(module: &Module, text: &str, map: &SourceMap, features: &Features) -> Result<ModuleInfo, ShaderError> {
+    let optional = if features.contains(BALLOTS) { Capabilities::SUBGROUP } else { Capabilities::empty() };
+    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::default() | optional);
+    if features.contains(BALLOTS) {
+        validator.subgroup_stages(ShaderStages::COMPUTE).subgroup_operations(SubgroupOperationSet::all());
+    }
     validator.validate(module).map_err(|error| validation_error(&error, module, text, map))
 }
 

@@ -80,7 +80,7 @@ impl Linked {
     pub fn limit_loops(&mut self, rounds: u32, first: u32) -> Result<Vec<Place>, ShaderError> {
         let spans = on_large_stack(|| {
             let spans = budget::limit_loops(&mut self.module, rounds, first);
-            self.info = check::validate(&self.module, &self.text, &self.map)?;
+            self.info = check::validate(&self.module, &self.text, &self.map, &self.features)?;
             Ok::<_, ShaderError>(spans)
         })?;
         Ok(spans.into_iter().map(|span| self.place(span.to_range().unwrap_or(0..0))).collect())

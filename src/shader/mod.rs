@@ -33,6 +33,7 @@ mod values;
 use std::collections::BTreeSet;
 
 pub use budget::LOOP_FAULTS;
+pub use check::BALLOTS;
 pub use error::{ErrorKind, Place, ShaderError, Source};
 pub use layers::Layers;
 pub use library::Library;

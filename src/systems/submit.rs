@@ -53,7 +53,9 @@ fn submit_frame(
     let recordings = [&frame.build, &frame.trace, &frame.picture];
     // To the end of the frame, for some drivers compile a pass when it first runs.
     let _telling = device.lacks(&recordings).then(|| listener.tell());
+    let start = Instant::now();
     device.prepare(&recordings)?;
+    learnt.spent.compile += start.elapsed().as_secs_f64();
     if !learnt.tree.built {
         let start = Instant::now();
         make_tree(device, &frame.build, *planned.builder, planned.triangles.rows())?;
@@ -72,7 +74,9 @@ fn submit_frame(
         learnt.governor.learn(samples, seconds);
     }
     if !frame.picture.is_empty() {
+        let start = Instant::now();
         play(device, &frame.picture)?;
+        learnt.spent.picture += start.elapsed().as_secs_f64();
     }
     Ok(())
 }

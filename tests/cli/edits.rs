@@ -155,3 +155,15 @@ fn the_oldest_edits_go_and_numbers_go_on() {
     // Texts may be of an edit that another window is about to write.
     assert!(std::fs::read_dir(folder.path().join("texts")).unwrap().count() > 1);
 }
+
+#[test]
+fn what_a_terminal_would_obey_is_not_printed() {
+    let folder = tempfile::tempdir().unwrap();
+    let edits = EditsFolder::new(folder.path().join(PLACE));
+    let hostile = verdict(State::Differ, "\u{1b}[2J wrong\u{7}");
+    keep(&edits, edit(Kind::Shaders, "r\u{1b}ng.wgsl", hostile), None, None);
+    for arguments in [&["edits"][..], &["edits", "1"], &["edits", "--json"]] {
+        let text = printed(folder.path(), arguments);
+        assert!(text.contains("wrong") && !text.contains(['\u{1b}', '\u{7}']), "{text:?}");
+    }
+}

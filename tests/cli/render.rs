@@ -33,9 +33,19 @@ fn a_render_writes_all_its_files_whole_and_reports_them() {
     for key in keys {
         assert!(report.get(key).is_some_and(|value| !value.is_null()), "the report lacks {key}: {report}");
     }
-    for key in ["start", "load", "build", "trace", "total"] {
-        assert!(report["seconds"][key].as_f64().is_some_and(|seconds| seconds >= 0.0), "no seconds.{key}");
+    let seconds = |key: &str| report["seconds"][key].as_f64().unwrap_or_else(|| panic!("no seconds.{key}"));
+    let phases = ["load", "extract", "compile", "build", "trace", "estimate", "read"].map(seconds);
+    assert!(phases.iter().all(|seconds| *seconds >= 0.0) && seconds("start") > 0.0);
+    // The device is opened beside all that.
+    assert!(phases.iter().sum::<f64>() <= seconds("total") && seconds("start") <= seconds("total"), "{report}");
+    assert!(seconds("compile") > 0.0 && seconds("read") > 0.0);
+    for picture in ["png", "exr"] {
+        let name = Path::new("result").join(format!("a.{picture}")).display().to_string();
+        assert!(report["seconds"]["write"][&name].as_f64().is_some_and(|seconds| seconds > 0.0), "{report}");
     }
+    let compiled = report["compiled"].as_array().unwrap().iter().find(|pass| pass["name"] == "path").unwrap();
+    assert_eq!(compiled["count"], 1);
+    assert!(compiled["link_milliseconds"].as_f64().unwrap() > 0.0);
     assert_eq!(report["scene"], "a");
     assert_eq!(report["size"], serde_json::json!([20, 12]));
     assert_eq!((&report["spp"], &report["triangles"], &report["nodes"]), (&2.into(), &1.into(), &0.into()));

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use lucerna::app::{Exit, judge};
 use tempfile::TempDir;
 
 /// A repository with a folder of shaders, and its commits by their places: as they are shipped, broken, written otherwise, wrong, and
@@ -145,4 +146,10 @@ fn shaders_that_are_too_large_are_told() {
         repository.run(command.args(["judge", "cornell-box", "--git", "HEAD", "--new"]).arg(repository.shaders()));
     let said = String::from_utf8_lossy(&run.stderr);
     assert!(run.status.code() == Some(1) && said.contains("they have more than 64 MiB"), "{said}");
+}
+
+#[test]
+fn a_panic_blames_no_commit() {
+    let answered = judge::bisect_answer(|| panic!("planted: this message is expected"));
+    assert_eq!(answered.map_err(|failure| failure.exit), Ok(Exit::Abandoned));
 }

@@ -103,6 +103,18 @@ const WRONG: &[(&str, u32, u32, &str)] = &[
 ];
 
 #[test]
+fn a_comment_may_end_a_scene_file() {
+    for text in [
+        "(film: (size: (8, 9))) // end",
+        "(film: (size: (8, 9)))\n// \"//\" (",
+        "// http://a\n(film: (size: (8, 9)))//",
+    ] {
+        let loaded = load_text(text, &[]).unwrap_or_else(|errors| panic!("{text}\n{errors}"));
+        assert_eq!(loaded.description.film.size.to_array(), [8, 9], "{text}");
+    }
+}
+
+#[test]
 fn wrong_scene_files_are_reported_where_they_are_wrong() {
     for (text, line, column, message) in WRONG {
         let Err(errors) = load_text(text, &[]) else { panic!("taken: {text}") };

@@ -55,6 +55,7 @@ static EXTEND_BRUTE: Pass = Pass {
 /// The closest hits of two triangles and more as paths find them in scenes of at most 32.
 const FEW_WGSL: &str = "
 import package::gen::{ExtendParams, Hit, Ray, NO_CHANCE};
+import package::passes::trace::few_boxes::{keep_boxes};
 import package::passes::trace::scene::{scene_extent};
 import package::passes::trace::traverse_few::{traverse_few};
 
@@ -63,7 +64,9 @@ import package::passes::trace::traverse_few::{traverse_few};
 @group(0) @binding(4) var<storage, read_write> hits: array<Hit>;
 
 @compute @workgroup_size(64)
-fn extend_few(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+fn extend_few(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+              @builtin(local_invocation_index) lane: u32) {
+    keep_boxes(params.root, lane, 64u);
     let index = id.x + id.y * groups.x * 64u;
     if index < params.count {
         hits[index] = traverse_few(rays[index], params.root, scene_extent(params.root), 0.0, NO_CHANCE);
@@ -153,7 +156,12 @@ impl Tracer {
         self.root = root(tree.leaves.len() as u32);
     }
 
-    fn run<T: bytemuck::AnyBitPattern>(&mut self, pass: &'static Pass, rays: &[Ray], out: &'static str) -> Vec<T> {
+    fn run<T: bytemuck::AnyBitPattern + Send>(
+        &mut self,
+        pass: &'static Pass,
+        rays: &[Ray],
+        out: &'static str,
+    ) -> Vec<T> {
         for (name, bytes) in extend::buffers(rays.len() as u32) {
             self.rig.reserve(name, bytes).unwrap();
         }

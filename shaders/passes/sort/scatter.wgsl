@@ -1,13 +1,18 @@
-// Moves the pairs of each tile to their places by one digit, stably, without subgroups.
+// Moves the pairs of each tile to their places by one digit, stably.
 //
-// A row of 16 threads owns a run of consecutive keys, and ranks them 16 at a time: each thread raises its bit in the word
+// A row of threads owns a run of consecutive keys, and ranks as many at a time. Where subgroups have 32 threads for certain (feature
+// `ballots`), a row is one: a ballot a bit tells each thread which others have its digit, and the first of those counts them all.
+// Nothing else waits (Adinets and Merrill 2022, "warp-level multi-split").
+// Elsewhere a row is 16 threads: each thread raises its bit in the word
 // of (row, digit), and then counts the bits below its own. The word's low half counts the keys that the row has ranked
 // before, so one load tells a key its rank in the row (Onesweep's match by atomic OR; Adinolfi 2022, Adinets and Merrill 2022).
 // The tile is then reordered in workgroup memory, so that neighbouring threads write neighbouring pairs.
 //
 // It is one long function so that its arrays are local variables with constant bounds: registers, once loops are unrolled.
 
-import package::gen::{SortParams, SortPlan, SORT_THREADS, SORT_ITEMS, SORT_TILE, SORT_BINS, SORT_LANES, SORT_IN_FRONT};
+import package::gen::{SortParams, SortPlan, SORT_THREADS, SORT_ITEMS, SORT_TILE, SORT_BINS, SORT_IN_FRONT};
+@if(!ballots) import package::gen::{SORT_LANES};
+@if(ballots) import package::gen::{SORT_BITS};
 import package::passes::sort::digit::digit_of;
 import package::passes::sort::prefix::prefix_over_workgroup;
 @if(sort_census) import package::passes::sort::digit::take_census;
@@ -21,9 +26,13 @@ import package::passes::sort::prefix::prefix_over_workgroup;
 @group(0) @binding(6) var<storage, read_write> keys_back: array<vec2<u32>>;
 @group(0) @binding(7) var<storage, read_write> payload_back: array<u32>;
 
-const ROWS: u32 = SORT_THREADS / SORT_LANES;
+/// Threads of a row.
+@if(ballots) const LANES: u32 = 32u;
+@if(!ballots) const LANES: u32 = SORT_LANES;
 
-/// While ranking, bins of (row, digit): the count in the low half, the mask in the high half. Then the tile's words in
+const ROWS: u32 = SORT_THREADS / LANES;
+
+/// While ranking, bins of (row, digit): the count, in the low half where the high half is a mask. Then the tile's words in
 /// their new order. One array, since both would not fit into 32 KiB.
 var<workgroup> words: array<atomic<u32>, SORT_TILE>;
 
@@ -35,6 +44,8 @@ fn scatter(
     @builtin(workgroup_id) group: vec3<u32>,
     @builtin(num_workgroups) groups: vec3<u32>,
     @builtin(local_invocation_index) thread: u32,
+    @if(ballots) @builtin(subgroup_id) row: u32,
+    @if(ballots) @builtin(subgroup_invocation_id) lane: u32,
 ) {
     let tile = group.x + group.y * groups.x;
     if tile >= params.tiles {
@@ -43,9 +54,9 @@ fn scatter(
     @if(sort_census) take_census(params.digit, 2u, thread);
     let from_front = sort_plan.digits[params.digit].source == SORT_IN_FRONT;
     let high = params.digit >= 4u;
-    let lane = thread % SORT_LANES;
-    let row = thread / SORT_LANES;
-    let first = tile * SORT_TILE + row * SORT_LANES * SORT_ITEMS + lane;
+    @if(!ballots) let lane = thread % LANES;
+    @if(!ballots) let row = thread / LANES;
+    let first = tile * SORT_TILE + row * LANES * SORT_ITEMS + lane;
     let last = params.count - 1u;
 
     // Thread t is also in charge of bin t.
@@ -54,37 +65,58 @@ fn scatter(
     var held: array<vec2<u32>, SORT_ITEMS>;
     if from_front {
         for (var item = 0u; item < SORT_ITEMS; item++) {
-            held[item] = keys[min(first + item * SORT_LANES, last)];
+            held[item] = keys[min(first + item * LANES, last)];
         }
     } else {
         for (var item = 0u; item < SORT_ITEMS; item++) {
-            held[item] = keys_back[min(first + item * SORT_LANES, last)];
+            held[item] = keys_back[min(first + item * LANES, last)];
         }
     }
     for (var item = 0u; item < SORT_ITEMS; item++) {
         atomicStore(&words[item * SORT_THREADS + thread], 0u);
         // What lies beyond the end takes the last digit, and as it comes last anyway, it moves no pair.
-        if first + item * SORT_LANES > last {
+        if first + item * LANES > last {
             held[item] = vec2<u32>(0xffffffffu);
         }
     }
     workgroupBarrier();
 
     // Rank each key among the equal digits of its row.
-    let bit = 0x10000u << lane;
-    let below = bit - 0x10000u;
     var rank: array<u32, SORT_ITEMS>;
     var bin = row * SORT_BINS;
-    for (var item = 0u; item < SORT_ITEMS; item++) {
-        bin = row * SORT_BINS + digit_of(held[item], params.digit);
-        atomicOr(&words[bin], bit);
-        workgroupBarrier();
-        let word = atomicLoad(&words[bin]);
-        rank[item] = (word & 0xffffu) + countOneBits(word & below);
-        workgroupBarrier();
-        // Lower the bit and count the key. Other rows' and lanes' changes to this word touch other bits or add to the
-        // same count; this lane's next bit follows in program order.
-        atomicAdd(&words[bin], 1u - bit);
+    @if(ballots) {
+        let lower = (1u << lane) - 1u;
+        for (var item = 0u; item < SORT_ITEMS; item++) {
+            let digit = digit_of(held[item], params.digit);
+            var equal = 0xffffffffu;
+            for (var place = 0u; place < SORT_BITS; place++) {
+                let raised = ((digit >> place) & 1u) != 0u;
+                let all = subgroupBallot(raised).x;
+                equal &= select(~all, all, raised);
+            }
+            // What the row has counted before is in the bin by now: the last shuffle waited for it.
+            let leader = firstTrailingBit(equal);
+            bin = row * SORT_BINS + digit;
+            var before = 0u;
+            if lane == leader {
+                before = atomicAdd(&words[bin], countOneBits(equal));
+            }
+            rank[item] = subgroupShuffle(before, leader) + countOneBits(equal & lower);
+        }
+    } @else {
+        let bit = 0x10000u << lane;
+        let below = bit - 0x10000u;
+        for (var item = 0u; item < SORT_ITEMS; item++) {
+            bin = row * SORT_BINS + digit_of(held[item], params.digit);
+            atomicOr(&words[bin], bit);
+            workgroupBarrier();
+            let word = atomicLoad(&words[bin]);
+            rank[item] = (word & 0xffffu) + countOneBits(word & below);
+            workgroupBarrier();
+            // Lower the bit and count the key. Other rows' and lanes' changes to this word touch other bits or add to the
+            // same count; this lane's next bit follows in program order.
+            atomicAdd(&words[bin], 1u - bit);
+        }
     }
     workgroupBarrier();
 
@@ -129,11 +161,11 @@ fn scatter(
     var carried: array<u32, SORT_ITEMS>;
     if from_front {
         for (var item = 0u; item < SORT_ITEMS; item++) {
-            carried[item] = payload[min(first + item * SORT_LANES, last)];
+            carried[item] = payload[min(first + item * LANES, last)];
         }
     } else {
         for (var item = 0u; item < SORT_ITEMS; item++) {
-            carried[item] = payload_back[min(first + item * SORT_LANES, last)];
+            carried[item] = payload_back[min(first + item * LANES, last)];
         }
     }
     workgroupBarrier();

@@ -17,6 +17,7 @@ import package::lib::bsdf::mixture::{mixture_evaluate};
 import package::lib::fault::{fault_of};
 import package::lib::math::{largest_of};
 @if(cutout) import package::lib::rng_pcg::{pcg4d};
+@if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{scene_extent};
 @if(!few_triangles) import package::passes::trace::traverse::{traverse};
@@ -131,6 +132,7 @@ fn gathered(sample: RadianceSample, light: vec3<f32>, rays: u32, material: u32) 
 
 @compute @workgroup_size(8, 8)
 fn gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    @if(few_triangles) keep_boxes(params.root, local, TILE_BLOCK * TILE_BLOCK);
     let tile = local / TILE_PIXELS;
     let slot = local % TILE_PIXELS;
     let size = vec2<u32>(params.window_width, params.window_height);

@@ -30,6 +30,7 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(textures || relief || emission_map) import package::passes::trace::footprint::{at_point, spread_by, texturing_at};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::passes::trace::connect::{light_pdf};
+@if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{load_leaf, scene_extent};
 @if(reuse) import package::passes::trace::reuse::{begin_lending, end_lending, lend_on, lent};
@@ -362,8 +363,16 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
     return finish(&state);
 }
 
+// What a kernel that traces paths does first, with all its `lanes` invocations a workgroup.
+fn prepare_workgroup(lane: u32, lanes: u32) {
+    @if(few_triangles) {
+        keep_boxes(params.root, lane, lanes);
+    }
+}
+
 @compute @workgroup_size(8, 8)
-fn path(@builtin(global_invocation_id) id: vec3<u32>) {
+fn path(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    prepare_workgroup(lane, 64u);
     if (id.x >= params.window_width || id.y >= params.window_height || id.z >= params.layers) {
         return;
     }

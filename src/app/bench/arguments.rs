@@ -3,6 +3,7 @@
 use clap::{Args, Subcommand};
 
 use super::light::{self, LightArguments};
+use super::peers::{self, PeersArguments};
 use super::{LEAST_RUNS, build, extend, sort};
 use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
@@ -21,6 +22,8 @@ pub struct BenchArguments {
 pub enum BenchCommand {
     /// Measure how the error of scenes falls with samples and time: what `bench` does by itself
     Scenes(LightArguments),
+    /// Measure how soon this and Mitsuba 3 come to an error, on the same scenes
+    Peers(PeersArguments),
     /// Sort pairs of random 63-bit keys and 32-bit payloads
     Sort {
         /// Numbers of pairs
@@ -63,6 +66,7 @@ impl BenchArguments {
         match self.command {
             None => light::run(&self.light),
             Some(BenchCommand::Scenes(light)) => light::run(&light),
+            Some(BenchCommand::Peers(peers)) => peers::run(&peers),
             Some(BenchCommand::Sort { counts, how }) => {
                 sort::run(Gpu::open()?, &counts, how.runs, how.json)?;
                 Ok(Exit::Done)

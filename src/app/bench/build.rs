@@ -1,5 +1,6 @@
 //! `bench build`: many small spheres, from triangles in scene order to the tree that is traversed, which is then judged.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{BenchError, BenchReport, Case, measure, measure_unstamped, spheres};
@@ -29,6 +30,7 @@ fn case(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Case, BenchError> {
     let triangles = spheres(count, SEED);
     let count = triangles.len() as u32;
     let mut rig = Runtime::new(gpu.clone(), Library::shipped());
+    rig.set_features(gpu.shader_features());
     for (name, bytes) in (PLAN.buffers)(count) {
         rig.reserve(name, bytes)?;
     }
@@ -41,21 +43,25 @@ fn case(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Case, BenchError> {
     rows.push(measure_unstamped(&mut rig, &nothing, &whole, runs, REPEATS)?);
     let bytes = |buffer| PLAN.bytes(buffer, count) as usize;
     let found = judge(&rig.read_some("leaves", bytes("leaves"))?, &rig.read_some("nodes", bytes("nodes"))?)?;
-    let twin = judge_twin(&triangles)?;
+    let twin = judge_twin(&rig, &triangles)?;
     Ok(Case::new(format!("{count} triangles"), u64::from(count), "triangles/s", rows)
         .note("depth", f64::from(found.depth))
         .note("SAH cost", found.sah)
         .note("SAH cost of the CPU twin", twin.sah))
 }
 
-/// Judges the tree that the CPU builds.
-fn judge_twin(triangles: &[Triangle]) -> Result<TreeMeasure, BenchError> {
-    let (mut leaves, mut nodes) = (Vec::new(), Vec::new());
-    (PLAN.twin)(triangles, &mut |buffer, bytes| match buffer {
-        "leaves" => leaves = bytes.to_vec(),
-        _ => nodes = bytes.to_vec(),
+/// Judges the tree that the CPU builds, and compares it with what is in the buffers.
+fn judge_twin(rig: &Runtime, triangles: &[Triangle]) -> Result<TreeMeasure, BenchError> {
+    let mut twin = BTreeMap::new();
+    (PLAN.twin)(triangles, &mut |buffer, bytes| {
+        twin.insert(buffer, bytes.to_vec());
     });
-    judge(&leaves, &nodes)
+    for (buffer, bytes) in &twin {
+        if rig.read_some::<u8>(buffer, bytes.len())? != *bytes {
+            return Err(BenchError::Wrong(format!("`{buffer}` is not what the CPU makes")));
+        }
+    }
+    judge(&twin["leaves"], &twin["nodes"])
 }
 
 /// Judges a tree by the contents of its buffers.

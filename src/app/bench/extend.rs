@@ -69,6 +69,7 @@ fn case(rig: &mut Runtime, tree: &Tree, kind: &str, rays: &[Ray], runs: u32) -> 
     let rows = measure(rig, &Recording::default(), &recording, runs)?;
     let hits: Vec<Hit> = rig.read_some("hits", rays.len())?;
     check(kind, tree, rays, &hits)?;
+    check_walks(rig, kind, &recording, &hits)?;
     let share = |sum: f64| if hits.is_empty() { 0.0 } else { sum / hits.len() as f64 };
     let name = format!("{} triangles, {kind}", tree.leaves.len());
     let case = Case::new(name, rays.len() as u64, "rays/s", rows)
@@ -100,6 +101,20 @@ fn check(kind: &str, tree: &Tree, rays: &[Ray], hits: &[Hit]) -> Result<(), Benc
         return Err(BenchError::Wrong(format!("{wrong} of {} {kind} rays hit something else", sample.len())));
     }
     Ok(())
+}
+
+/// All hits against those of the walk for the other kind of device: they are the same to the bit.
+fn check_walks(rig: &mut Runtime, kind: &str, recording: &Recording, hits: &[Hit]) -> Result<(), BenchError> {
+    let gpu = rig.gpu().clone();
+    rig.set_features(if gpu.is_software() { &[] } else { &["software"] });
+    rig.play(recording)?;
+    let others: Vec<Hit> = rig.read_some("hits", hits.len())?;
+    rig.set_features(gpu.shader_features());
+    let bits = |hit: &Hit| (hit.t.to_bits(), hit.triangle, hit.leaf, hit.b1.to_bits(), hit.b2.to_bits());
+    match hits.iter().zip(&others).filter(|(hit, other)| bits(hit) != bits(other)).count() {
+        0 => Ok(()),
+        differ => Err(BenchError::Wrong(format!("{differ} {kind} rays hit something else on the other walk"))),
+    }
 }
 
 /// A ray through the centre of every pixel of a square film, row by row from the top.

@@ -1,10 +1,11 @@
 //! Benchmarks. Of single stages: medians over runs after warm-up, GPU time by pass, as a table or as JSON. Of light
-//! transport as a whole: [`light`].
+//! transport as a whole: [`light`]; beside another renderer: [`peers`].
 
 mod arguments;
 pub mod build;
 pub mod extend;
 pub mod light;
+pub mod peers;
 pub mod sort;
 
 pub use arguments::BenchArguments;
@@ -24,6 +25,7 @@ use crate::layout::tree::Triangle;
 use crate::oracle::OracleError;
 use crate::passes::Recording;
 use crate::scene::generate;
+use peers::PeerError;
 
 /// Runs before the first that counts: GPUs clock up only under load.
 const WARM_UP: u32 = 5;
@@ -55,6 +57,9 @@ pub enum BenchError {
     #[error("{}: this is no bench.json: {source}", path.display())]
     #[diagnostic(help("name the bench.json that `lucerna bench` wrote"))]
     Earlier { path: PathBuf, source: serde_json::Error },
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Peer(#[from] PeerError),
     #[error("no reference: {0}")]
     Oracle(#[from] OracleError),
 }

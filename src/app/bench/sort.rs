@@ -23,6 +23,7 @@ pub fn run(gpu: Arc<Gpu>, n: &[u32], runs: u32, json: bool) -> Result<(), BenchE
 
 fn case(gpu: &Arc<Gpu>, count: u32, runs: u32) -> Result<Case, BenchError> {
     let mut rig = Runtime::new(gpu.clone(), Library::shipped());
+    rig.set_features(gpu.shader_features());
     for (name, bytes) in sort::buffers(count) {
         rig.reserve(name, bytes)?;
     }

@@ -12,6 +12,7 @@ use clap::Args;
 use self::asked::refused;
 use crate::app::shared::failure::show;
 use crate::app::shared::output;
+use crate::app::shared::printable::printable_name;
 use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
 use crate::passes::table::TABLE;
@@ -116,13 +117,12 @@ fn plural<'a>(n: usize, one: &'a str, many: &'a str) -> &'a str {
 
 /// A file's materials and lights, one a line: name, what it is taken as, and why.
 fn rendered(table: &scene::Table) -> String {
-    let shown = |name: &str| -> String { name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect() };
     let width = |texts: &mut dyn Iterator<Item = usize>| texts.max().unwrap_or_default().min(40);
     let names = width(&mut table.rows.iter().map(|row| row.name.chars().count()));
     let kinds = width(&mut table.rows.iter().map(|row| row.look.kind.len()));
     let mut text = format!("\n{}\n", table.file.display());
     for scene::Row { name, look } in &table.rows {
-        text += &format!("  {:names$}  {:kinds$}  {}\n", shown(name), look.kind, look.reason);
+        text += &format!("  {:names$}  {:kinds$}  {}\n", printable_name(name), look.kind, look.reason);
     }
     text
 }

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::edit::{Edit, Lint, State, age, now};
 use super::folder::Kept;
 use crate::app::shared::describe::quoted;
+use crate::app::shared::printable::printable;
 
 /// All of them, the newest first.
 pub fn all(edits: &[Kept], folder: &Path, as_json: bool) -> String {
@@ -26,7 +27,7 @@ pub fn all(edits: &[Kept], folder: &Path, as_json: bool) -> String {
         let cells = row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}"));
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
     };
-    rows.iter().map(line).collect()
+    rows.iter().map(|row| printable(&line(row))).collect()
 }
 
 /// One of them, and what can be done with it.
@@ -66,7 +67,7 @@ pub fn one(kept: &Kept, written: Option<&Path>, as_json: bool) -> String {
         }
         (None, None) => {}
     }
-    text
+    printable(&text)
 }
 
 fn row(kept: &Kept) -> [String; 8] {

@@ -13,6 +13,7 @@ pub use edit::{Edit, Kind, Lint, State, Verdict, age, now};
 pub use folder::{EditsFolder, Kept, Listed, MOST, PLACE};
 
 use crate::app::shared::output;
+use crate::app::shared::printable::printable;
 use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
 
@@ -49,7 +50,7 @@ pub fn run(arguments: &EditsArguments) -> Result<Exit, Failure> {
     let folder = EditsFolder::new(&arguments.from);
     let unreadable = |source| Failure::of(Unreadable { folder: arguments.from.clone(), source });
     let listed = folder.list().map_err(unreadable)?;
-    listed.unread.iter().for_each(|unread| output::note(&format!("warning: {unread}: left out")));
+    listed.unread.iter().for_each(|unread| output::note(&printable(&format!("warning: {unread}: left out"))));
     let Some(number) = arguments.number else {
         output::print(&list::all(&listed.edits, &arguments.from, arguments.json))?;
         return Ok(Exit::Done);

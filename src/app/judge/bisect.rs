@@ -1,6 +1,7 @@
 //! `--bisect`: a verdict as `git bisect run` reads it.
 
 use std::ffi::OsString;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::app::{Exit, Failure};
 
@@ -11,8 +12,11 @@ pub fn is_for_bisect(words: impl IntoIterator<Item = OsString>) -> bool {
 
 /// 0 is a good commit, 1 a bad one, 125 one that can't be told and is skipped, and from 128 on the search ends: where nothing can be
 /// judged at all, no commit is to be blamed. (git-bisect(1), "Bisect run".)
-pub fn answer(judged: Result<Exit, Failure>) -> Result<Exit, Failure> {
-    match judged {
+///
+/// A panic, whose message is on stderr by then, is no verdict either.
+pub fn answer(judge: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
+    // What it leaves half done is not used again.
+    match catch_unwind(AssertUnwindSafe(judge)).unwrap_or(Ok(Exit::Abandoned)) {
         Ok(Exit::MeansDiffer) => Ok(Exit::Bad),
         Ok(Exit::CannotTell) => Ok(Exit::Skipped),
         Ok(Exit::Failed) => Ok(Exit::Abandoned),

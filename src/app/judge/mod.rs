@@ -18,7 +18,7 @@ pub mod sizing;
 pub use self::core::{Judge, Plan, SECONDS, WITHIN};
 pub use analysis::{Analysis, End, Unknown, Verdict};
 pub use arguments::JudgeArguments;
-pub use bisect::is_for_bisect;
+pub use bisect::{answer as bisect_answer, is_for_bisect};
 pub use clock::Control;
 pub use commits::Commits;
 pub use error::JudgeError;
@@ -49,8 +49,7 @@ pub const UNCHANGED: &str = "nothing changed in what this scene runs";
 
 /// Judges until all is clear or the time is over, and reports.
 pub fn run(arguments: &JudgeArguments) -> Result<Exit, Failure> {
-    let judged = judge(arguments);
-    if arguments.bisect { bisect::answer(judged) } else { judged }
+    if arguments.bisect { bisect::answer(|| judge(arguments)) } else { judge(arguments) }
 }
 
 fn judge(arguments: &JudgeArguments) -> Result<Exit, Failure> {
@@ -162,7 +161,7 @@ fn tell(summary: &JudgeSummary, radiance: &[[f32; 3]], outputs: &mut Outputs) ->
     let metadata = summary.metadata();
     let report = &serde_json::Value::Null;
     let picture = Picture { size: film.size, window, linear: radiance, display: &display, metadata: &metadata, report };
-    let failures = outputs.write(&picture, |names| summary.json(names));
+    let failures = outputs.write(&picture, |written| summary.json(&written.names()));
     failures.iter().for_each(|failure| show(failure));
     let names = outputs.names();
     if !arguments.quiet {

@@ -23,7 +23,7 @@ pub struct RenderArguments {
     /// Write to this file: .png, .exr or .json; may be given several times [default: result/SCENE.png, .exr and .json]
     #[arg(short, value_name = "FILE", value_parser = output)]
     pub output: Vec<Output>,
-    /// Print the time of every pass
+    /// Print where the time went, phase by phase and pass by pass
     #[arg(long)]
     pub stats: bool,
     /// Print the report to stdout as one JSON object, and nothing else there

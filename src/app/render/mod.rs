@@ -11,7 +11,8 @@ use std::time::{Duration, Instant};
 
 use crate::app::shared::compiling::watch_compiling;
 use crate::app::shared::failure::show;
-use crate::app::shared::interrupt::Interrupt;
+use crate::app::shared::interrupt::{Interrupt, leave_running};
+use crate::app::shared::opening::Opening;
 use crate::app::shared::output;
 use crate::app::shared::parameters;
 use crate::app::shared::progress::Meter;
@@ -20,7 +21,6 @@ use crate::app::shared::textures::TextureNotices;
 use crate::app::{Exit, Failure};
 use crate::components::Render;
 use crate::engine::{Engine, Progress};
-use crate::gpu::Gpu;
 use crate::image::{Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
 use report::{RenderSummary, Seconds};
@@ -39,6 +39,7 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         let message = "--quality and the number of samples both say when the render ends";
         return Err(Failure::usage(message, "give one of --quality and --spp (or -D render.spp)"));
     }
+    let opening = Opening::begin();
     let begin = Instant::now();
     let opened = arguments.flags.open(&arguments.scene, arguments.quiet)?;
     let library = arguments.flags.library(&opened)?;
@@ -48,15 +49,14 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
     let (mut outputs, prepared) = output::prepare(&outputs(arguments, &path)?, &files)?;
     let load = begin.elapsed();
 
+    let (gpu, start) = opening.finish()?;
     let begin = Instant::now();
-    let gpu = Gpu::open()?;
-    let start = begin.elapsed();
-    let begin = Instant::now();
-    let mut engine = Engine::open(gpu, library, &description).map_err(Failure::engine)?;
+    let mut engine = Engine::open(gpu.clone(), library, &description).map_err(Failure::engine)?;
     engine.set_timing(true);
     let load = load + begin.elapsed();
 
-    let ended = trace(&mut engine, &description, (until, arguments.quiet), &interrupt, started)?;
+    let (ended, estimate) = trace(&mut engine, &description, (until, arguments.quiet), &interrupt, started)?;
+    let begin = Instant::now();
     let film = engine.film().map_err(Failure::engine)?;
     if !arguments.quiet {
         let unread = parameters::unread(&description.shader, &engine);
@@ -67,8 +67,13 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         output::note(NOTHING);
         return Ok(Exit::Interrupted);
     }
-    let seconds =
-        Seconds { start: start.as_secs_f64(), load: load.as_secs_f64(), total: started.elapsed().as_secs_f64() };
+    let seconds = Seconds {
+        start: start.as_secs_f64(),
+        load: load.as_secs_f64(),
+        estimate: estimate.as_secs_f64(),
+        read: begin.elapsed().as_secs_f64(),
+        total: started.elapsed().as_secs_f64(),
+    };
     let interrupted = ended == Ended::Interrupted;
     let summary = RenderSummary {
         arguments,
@@ -80,7 +85,14 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         until,
         ended,
     };
+    // Drivers take a tenth of a second to close a device.
+    let may_be_left = gpu.may_be_left_open();
+    leave_running(may_be_left);
+    let closing = std::thread::spawn(move || drop((engine, gpu)));
     let saved = save_and_report(&summary, &mut outputs)?;
+    if !may_be_left {
+        closing.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+    }
     Ok(match (saved && prepared, interrupted) {
         (false, _) => Exit::Failed,
         (true, true) => Exit::Interrupted,
@@ -99,9 +111,8 @@ fn save_and_report(summary: &RenderSummary, outputs: &mut Outputs) -> Result<boo
         metadata: &metadata,
         report: &serde_json::Value::Null,
     };
-    let failures = outputs.write(&picture, |names| summary.json(names));
+    let failures = outputs.write(&picture, |written| summary.json(written));
     failures.iter().for_each(|failure| show(failure));
-    let names = outputs.names();
     let arguments = summary.arguments;
     if summary.report.bad_samples > 0 && !arguments.quiet {
         output::note(&format!(
@@ -114,8 +125,8 @@ fn save_and_report(summary: &RenderSummary, outputs: &mut Outputs) -> Result<boo
         output::note(&format!("interrupted at {}{of} spp", summary.film.spp));
     }
     match arguments.json {
-        true => output::print(&format!("{}\n", summary.json(&names)))?,
-        false => output::print(&summary.text(&names, arguments.stats))?,
+        true => output::print(&format!("{}\n", summary.json(outputs)))?,
+        false => output::print(&summary.text(outputs, arguments.stats))?,
     }
     Ok(failures.is_empty())
 }
@@ -126,21 +137,24 @@ struct Tracing<'r> {
     meter: Meter,
     until: Until,
     interrupt: &'r Interrupt,
+    /// Spent on reading the film's error.
+    looking: Duration,
 }
 
-/// Steps until the film is finished, the time is up, or a signal comes. `started` is when the process began.
+/// Steps until the film is finished, the time is up, or a signal comes; says which, and what it took to read the film's error meanwhile.
+/// `started` is when the process began.
 fn trace(
     engine: &mut Engine,
     description: &SceneDescription,
     (until, quiet): (Until, bool),
     interrupt: &Interrupt,
     started: Instant,
-) -> Result<Ended, Failure> {
+) -> Result<(Ended, Duration), Failure> {
     let size = description.film.window().size();
     let pixels = u64::from(size.x) * u64::from(size.y);
     let meter = Meter::new(&description.name, until.goal(pixels, started.elapsed().as_secs_f64()), quiet);
     engine.on_compiling(watch_compiling(meter.show_compiling()));
-    let mut tracing = Tracing { engine, meter, until, interrupt };
+    let mut tracing = Tracing { engine, meter, until, interrupt, looking: Duration::ZERO };
     // Nothing is traced yet: what there is room for is known before long work begins.
     let mut told = quiet;
     loop {
@@ -152,7 +166,7 @@ fn trace(
         }
         if let Some(ended) = tracing.ended(step, over)? {
             tracing.meter.finish();
-            return Ok(ended);
+            return Ok((ended, tracing.looking));
         }
         if tracing.meter.wants_error() {
             tracing.look()?;
@@ -196,7 +210,8 @@ impl Tracing<'_> {
     /// Reads the film's error, and shows it.
     fn look(&mut self) -> Result<f64, Failure> {
         let begin = Instant::now();
-        let error = self.engine.film().map_err(Failure::engine)?.relative_error;
+        let error = self.engine.relative_error().map_err(Failure::engine)?;
+        self.looking += begin.elapsed();
         self.meter.set_error(error, begin.elapsed());
         Ok(error)
     }

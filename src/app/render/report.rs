@@ -9,6 +9,7 @@ use super::until::{Ended, Until};
 use crate::app::shared::describe::Described;
 use crate::app::shared::quality::Quality;
 use crate::engine::{FilmImage, Report};
+use crate::image::Outputs;
 use crate::layout::film::BadSample;
 use crate::scene::SceneDescription;
 use crate::scene::settings::Named;
@@ -16,10 +17,14 @@ use crate::scene::settings::Named;
 /// Wall-clock seconds of the phases.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seconds {
-    /// Opening the device.
+    /// Opening the device, while files are read.
     pub start: f64,
     /// Reading the scene's files and making entities of them.
     pub load: f64,
+    /// Reading the film's error, to see whether it is good enough, and to show it.
+    pub estimate: f64,
+    /// Reading the finished film back, with all that is said of it.
+    pub read: f64,
     /// From the start of the process to the film's return.
     pub total: f64,
 }
@@ -58,7 +63,7 @@ impl RenderSummary<'_> {
     }
 
     /// The report as one JSON object.
-    pub fn json(&self, outputs: &[String]) -> Value {
+    pub fn json(&self, outputs: &Outputs) -> Value {
         let (scene, film, report) = (self.description, self.film, self.report);
         let window = film.window;
         let passes: Vec<Value> = report
@@ -66,6 +71,20 @@ impl RenderSummary<'_> {
             .iter()
             .map(|pass| json!({ "name": pass.name, "count": pass.count, "milliseconds": pass.milliseconds }))
             .collect();
+        let compiled: Vec<Value> = report
+            .compiles
+            .iter()
+            .map(|pass| {
+                json!({
+                    "name": pass.name,
+                    "count": pass.count,
+                    "link_milliseconds": pass.link_milliseconds,
+                    "driver_milliseconds": pass.driver_milliseconds,
+                })
+            })
+            .collect();
+        let writes: serde_json::Map<String, Value> =
+            outputs.seconds().iter().map(|(name, seconds)| (name.clone(), (*seconds).into())).collect();
         json!({
             "version": env!("CARGO_PKG_VERSION"),
             "scene": scene.name,
@@ -95,9 +114,14 @@ impl RenderSummary<'_> {
             "seconds": {
                 "start": self.seconds.start,
                 "load": self.seconds.load,
+                "extract": report.seconds_extract,
+                "compile": report.seconds_compile,
                 "build": report.seconds_build,
                 "trace": report.seconds_trace,
+                "estimate": self.seconds.estimate,
+                "read": self.seconds.read,
                 "total": self.seconds.total,
+                "write": writes,
             },
             "samples": report.samples,
             "rays": report.rays,
@@ -108,7 +132,8 @@ impl RenderSummary<'_> {
             "bad_samples": report.bad_samples,
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
             "passes": passes,
-            "outputs": outputs,
+            "compiled": compiled,
+            "outputs": outputs.names(),
         })
     }
 
@@ -131,7 +156,7 @@ impl RenderSummary<'_> {
     }
 
     /// A few lines for users.
-    pub fn text(&self, outputs: &[String], stats: bool) -> String {
+    pub fn text(&self, outputs: &Outputs, stats: bool) -> String {
         let (film, report) = (self.film, self.report);
         let size = film.window.size();
         let mut text = format!(
@@ -153,29 +178,40 @@ impl RenderSummary<'_> {
             text += &format!("  {line}\n");
         }
         if stats {
-            text += &self.stats();
+            text += &self.stats(outputs);
         }
-        for output in outputs {
+        for output in outputs.names() {
             text += &format!("  {output}\n");
         }
         text
     }
 
-    fn stats(&self) -> String {
+    fn stats(&self, outputs: &Outputs) -> String {
         let (report, seconds) = (self.report, self.seconds);
         let mut text = format!(
-            "  {}\n  start {:.3} s, load {:.3} s, build {:.3} s, trace {:.3} s, total {:.3} s\n  \
-             {} rays, {} samples, {} bad\n",
+            "  {}\n  start {:.3} s, and load {:.3} s beside it; extract {:.3} s, compile {:.3} s, build {:.3} s, trace {:.3} s, \
+             estimate {:.3} s, read {:.3} s; total {:.3} s\n  {} rays, {} samples, {} bad\n",
             report.adapter,
             seconds.start,
             seconds.load,
+            report.seconds_extract,
+            report.seconds_compile,
             report.seconds_build,
             report.seconds_trace,
+            seconds.estimate,
+            seconds.read,
             seconds.total,
             report.rays,
             report.samples,
             report.bad_samples,
         );
+        for (name, seconds) in outputs.seconds() {
+            text += &format!("  written in {seconds:.3} s: {name}\n");
+        }
+        for pass in &report.compiles {
+            let (link, driver) = (pass.link_milliseconds, pass.driver_milliseconds);
+            text += &format!("  {:<16} linked in {link:.1} ms, compiled in {driver:.1} ms\n", pass.name);
+        }
         if report.textures > 0 {
             let megabytes = report.texture_bytes as f64 / f64::from(1 << 20);
             text += &format!("  {} textures, {megabytes:.1} MiB on the device\n", report.textures);

@@ -82,6 +82,23 @@ impl Interrupt {
     }
 }
 
+/// Something is left running: the process is to end without waiting for it.
+static LEFT: AtomicBool = AtomicBool::new(false);
+
+/// Says whether something is left running, which the process's end is not to wait for.
+pub fn leave_running(left: bool) {
+    LEFT.store(left, Ordering::SeqCst);
+}
+
+/// The end of `main`: at once where something is left running, else in order.
+pub fn end_of_main(exit: Exit) -> std::process::ExitCode {
+    if LEFT.load(Ordering::SeqCst) {
+        let _ = std::io::Write::flush(&mut std::io::stdout());
+        end(exit);
+    }
+    exit.into()
+}
+
 /// Ends the process from any thread, whatever the others do.
 pub fn end(exit: Exit) -> ! {
     let code = i32::from(exit.code());

@@ -66,7 +66,7 @@ pub fn trace(
                 if !reach(stage, Render { spp, ..render }, None, watcher)? {
                     return Ok(None);
                 }
-                if spp >= MOST_SPP || stage.engine.film()?.relative_error <= *error {
+                if spp >= MOST_SPP || stage.engine.relative_error()? <= *error {
                     break;
                 }
                 spp = next_look(spp);

@@ -18,7 +18,7 @@ use crate::layout::texture::{
     TEXTURE_CLAMP_V, TEXTURE_FLIP_GREEN, TEXTURE_SRGB, TILE, TextureRecord, level_count, level_texels, texel_index,
 };
 use pyramid::Level;
-use source::Source;
+pub use source::Source;
 
 /// Texels a side, at most: a record has 16 bits for each.
 const MOST: u32 = 65_536;

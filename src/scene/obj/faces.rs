@@ -1,15 +1,12 @@
-//! Faces: indices resolved and checked, sorted into groups of one object, material and set of attributes.
+//! Faces, sorted into groups of one object, material and set of attributes.
 
 use std::collections::HashMap;
-use std::fmt::Write as _;
 
+use super::geometry::FaceRun;
 use crate::scene::diagnostic::Diagnostic;
 
 /// Groups that a file may have. Each becomes an entity.
 const MAX_GROUPS: usize = 1 << 17;
-
-/// Bytes of faces that wait to be passed on together.
-const MAX_WAITING: usize = 16 << 20;
 
 /// Faces of one object that share material and attributes.
 #[derive(Clone, Debug)]
@@ -21,19 +18,15 @@ pub struct Group {
     pub uvs: bool,
     /// Whether all corners have normals.
     pub normals: bool,
+    /// Its faces, in the order of the file.
+    pub runs: Vec<FaceRun>,
 }
 
-/// One corner of a face: position, texture coordinate and normal, from 0.
-pub type Corner = (u32, Option<u32>, Option<u32>);
-
-/// Sorts faces into groups. They wait here group by group, since tobj makes a mesh of every run of faces it meets:
-/// a file that changes its material at every face would give it a mesh a face.
+/// Sorts faces into groups.
 #[derive(Debug, Default)]
 pub struct Grouping {
     pub groups: Vec<Group>,
     numbers: HashMap<(String, Option<String>, bool, bool), usize>,
-    waiting: Vec<String>,
-    waiting_bytes: usize,
     object: Option<String>,
     group: Option<String>,
     material: Option<(String, Diagnostic)>,
@@ -66,10 +59,8 @@ impl Grouping {
         self.material.is_some()
     }
 
-    /// Adds a face to its group. False where there are too many groups.
-    pub fn add(&mut self, corners: &[Corner]) -> bool {
-        let uvs = corners.iter().all(|(_, uv, _)| uv.is_some());
-        let normals = corners.iter().all(|(.., normal)| normal.is_some());
+    /// Adds faces that have texture coordinates, or normals, to their group. False where there are too many groups.
+    pub fn add(&mut self, run: FaceRun, uvs: bool, normals: bool) -> bool {
         let slot = usize::from(uvs) + 2 * usize::from(normals);
         let number = match self.current[slot] {
             Some(number) => number,
@@ -78,36 +69,15 @@ impl Grouping {
                 None => return false,
             },
         };
-        let face = &mut self.waiting[number];
-        let before = face.len();
-        face.push('f');
-        for (position, uv, normal) in corners {
-            // Writing to a string can't fail.
-            let _ = match (uv.filter(|_| uvs), normal.filter(|_| normals)) {
-                (Some(uv), Some(normal)) => write!(face, " {}/{}/{}", position + 1, uv + 1, normal + 1),
-                (Some(uv), None) => write!(face, " {}/{}", position + 1, uv + 1),
-                (None, Some(normal)) => write!(face, " {}//{}", position + 1, normal + 1),
-                (None, None) => write!(face, " {}", position + 1),
-            };
+        let runs = &mut self.groups[number].runs;
+        match runs.last_mut().filter(|last| last.goes_on_as(&run)) {
+            Some(last) => {
+                last.faces.end = run.faces.end;
+                last.corners += run.corners;
+            }
+            None => runs.push(run),
         }
-        face.push('\n');
-        self.waiting_bytes += face.len() - before;
         true
-    }
-
-    /// Whether enough faces wait to be passed on.
-    pub fn is_full(&self) -> bool {
-        self.waiting_bytes >= MAX_WAITING
-    }
-
-    /// Passes the waiting faces on as OBJ text, each group under its number as the object's name.
-    pub fn flush(&mut self, out: &mut Vec<u8>) {
-        for (number, faces) in self.waiting.iter_mut().enumerate().filter(|(_, faces)| !faces.is_empty()) {
-            out.extend_from_slice(format!("o {number}\n").as_bytes());
-            out.extend_from_slice(faces.as_bytes());
-            *faces = String::new();
-        }
-        self.waiting_bytes = 0;
     }
 
     /// The number of the group that faces with these attributes belong to now.
@@ -124,9 +94,19 @@ impl Grouping {
         if self.groups.len() >= MAX_GROUPS {
             return None;
         }
-        self.groups.push(Group { object: key.0.clone(), material: self.material.clone(), uvs, normals });
-        self.waiting.push(String::new());
+        let (object, material) = (key.0.clone(), self.material.clone());
+        self.groups.push(Group { object, material, uvs, normals, runs: Vec::new() });
         self.numbers.insert(key, self.groups.len() - 1);
         Some(self.groups.len() - 1)
+    }
+}
+
+impl FaceRun {
+    /// Whether another run is just what follows this one in the same list, and counts back from the same place.
+    fn goes_on_as(&self, next: &FaceRun) -> bool {
+        self.source == next.source
+            && self.faces.end == next.faces.start
+            && self.starts[0] + self.corners == next.starts[0]
+            && self.before == next.before
     }
 }

@@ -1,29 +1,36 @@
 //! Models of OBJ files.
 //!
-//! A [`scanner::Scanner`] reads the file as a stream, checks each statement, reports what is wrong at its line and column, and
-//! passes on only what is right, in a plain form, to tobj, which builds the meshes: tobj itself knows no line numbers, loses
-//! the first line after a byte order mark and takes NaN for a number. What it is never shown it can't stumble over.
+//! Threads read pieces of a file ([`plain`]), each of them the lines of which nothing is to be told; a [`scanner::Scanner`] takes the pieces in
+//! their order, checks what depends on what came before, and all other lines one by one. Where something is wrong, it reads the whole file
+//! line by line, and reports each fault at its line and column. What there is, and what is told, is the same either way. The crate `tobj`, which
+//! knows no line numbers, reads on one thread, loses the first line after a byte order mark and takes NaN for a number, is what tests
+//! compare the meshes with.
 
+mod decimal;
 mod faces;
+mod geometry;
 mod libraries;
 mod parts;
+mod pieces;
+mod plain;
 mod scanner;
 mod statements;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::BufReader;
+use std::io::{BufReader, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::assets::Assets;
 use super::bounds::Bounds;
-use super::diagnostic::{Diagnostic, Diagnostics, Severity};
+use super::diagnostic::{Diagnostic, Diagnostics};
 use super::model::{DEFAULT_MATERIAL, Imported, Model, ModelMesh};
 use super::suggest::known_names;
 use super::text;
 use crate::components::MeshData;
 use faces::Group;
 use libraries::Libraries;
+use pieces::PIECE;
 use scanner::{Scanned, Scanner};
 
 pub use statements::is_statement;
@@ -34,40 +41,49 @@ const LIMIT: u64 = 4 << 30;
 /// Reads an OBJ file and the MTL files it names: a mesh for each object and material.
 pub fn read_obj(file: &Path, assets: &Assets) -> Imported {
     let mut imported = Imported::default();
-    imported.model = read(file, assets, &mut imported.messages, &mut imported.files);
+    imported.model = read(file, assets, Some(PIECE), &mut imported.messages, &mut imported.files);
     imported
 }
 
-fn read(file: &Path, assets: &Assets, diagnostics: &mut Diagnostics, files: &mut Vec<PathBuf>) -> Option<Model> {
+/// Meshes and their names.
+pub type NamedMeshes = Vec<(String, Arc<MeshData>)>;
+
+/// The meshes of an OBJ file by their names, and all that is told of it, read by pieces of about some bytes; without, line by line. Both
+/// come to the same.
+pub fn read_obj_by(file: &Path, piece: Option<usize>) -> (Option<NamedMeshes>, Diagnostics) {
+    let mut messages = Diagnostics::default();
+    let model = read(file, &Assets::new(), piece, &mut messages, &mut Vec::new());
+    (model.map(|model| model.meshes.into_iter().map(|mesh| (mesh.name, mesh.geometry)).collect()), messages)
+}
+
+fn read(
+    file: &Path,
+    assets: &Assets,
+    piece: Option<usize>,
+    diagnostics: &mut Diagnostics,
+    files: &mut Vec<PathBuf>,
+) -> Option<Model> {
     files.push(file.to_path_buf());
-    let handle = text::open(file, LIMIT).map_err(|error| diagnostics.push(error)).ok()?;
-    let mut scanner = Scanner::new(BufReader::with_capacity(1 << 18, handle), file);
-    let options =
-        tobj::LoadOptions { ignore_points: true, ignore_lines: true, triangulate: false, single_index: false };
-    // tobj is shown no libraries.
-    let models = tobj::load_obj_buf(&mut scanner, &options, |_| Ok(Default::default()));
-    let Scanned { messages, groups, libraries } = scanner.finish();
+    let mut handle = text::open(file, LIMIT).map_err(|error| diagnostics.push(error)).ok()?;
+    let in_pieces = piece.and_then(|piece| pieces::read(file, &handle, piece).ok());
+    let scanned = match in_pieces {
+        Some(scanned) => scanned,
+        None => {
+            let rewound = handle.rewind();
+            rewound.map_err(|error| diagnostics.push(text::cannot_read(file, &error))).ok()?;
+            Scanner::new(file).read(BufReader::with_capacity(1 << 18, handle))
+        }
+    };
+    let Scanned { messages, groups, libraries, values, corners } = scanned;
     let libraries = Libraries::read(file, &libraries, &groups, assets, diagnostics, files);
     let broken = messages.has_errors();
     diagnostics.list.extend(messages);
-    match models {
-        Ok((models, _)) if !broken => {
-            let (parts, bounds) = parts::collect(models, &groups);
-            let model = assemble(&libraries, parts, bounds, &groups, diagnostics);
-            Some(Model { map_places: libraries.map_places, sources: libraries.sources, ..model })
-        }
-        Ok(_) => None,
-        Err(error) => {
-            if !broken {
-                diagnostics.push(Diagnostic::file(
-                    Severity::Error,
-                    file,
-                    format!("tobj can't read this file: {error}"),
-                ));
-            }
-            None
-        }
+    if broken {
+        return None;
     }
+    let (parts, bounds) = parts::collect(&groups, &values, &corners);
+    let model = assemble(&libraries, parts, bounds, &groups, diagnostics);
+    Some(Model { map_places: libraries.map_places, sources: libraries.sources, ..model })
 }
 
 /// Gives each part its material and its name.

@@ -1,11 +1,18 @@
-//! Reads OBJ text, reports what is wrong in it, and passes on what is right.
+//! Takes the statements of an OBJ file in their order: reports what is wrong, and keeps what is right.
+//!
+//! Statements come line by line, or as the plain ones of a [`Piece`] that another thread has read: those need no message, whatever came
+//! before them, or say how it is known that they don't.
 
-use std::io::{BufRead, Read};
+use std::io::BufRead;
 use std::path::Path;
 
-use super::faces::{Corner, Group, Grouping};
+use glam::{DVec3, Vec2, Vec3};
+
+use super::faces::{Group, Grouping};
+use super::geometry::{Corners, Counts, FaceRun, Values};
 use super::libraries::{MAX_LIBRARIES, Statement};
-use super::statements::{Counts, KNOWN, corner, is_beyond_us, numbers, position};
+use super::plain::{Event, Piece, PlainFaces};
+use super::statements::{Corner, KNOWN, MAX_CORNERS, corner, is_beyond_us, numbers, position, unit, usable};
 use crate::scene::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
 use crate::scene::lines::{Line, Lines, unquoted, words};
 use crate::scene::model::DEFAULT_MATERIAL;
@@ -15,87 +22,68 @@ use crate::scene::suggest::did_you_mean;
 /// more than 2 GiB, which is 44 million triangles of 48 bytes: what is refused here could not be rendered.
 const MAX_COUNT: u32 = 1 << 26;
 
-/// Corners that a face may have: clipping the ears of a face takes up to the square of its corners.
-const MAX_CORNERS: usize = 1 << 14;
-
 /// Errors after which the rest is not read: noise has one on every line.
 const MAX_ERRORS: u32 = 10;
 
-/// Bytes of plain text made at once.
-const BLOCK: usize = 1 << 16;
-
-/// What a file says beside its geometry.
+/// All that a file says.
 #[derive(Debug)]
 pub struct Scanned {
     pub messages: Diagnostics,
     pub groups: Vec<Group>,
     pub libraries: Vec<Statement>,
+    pub values: Values,
+    /// The lists that runs of faces are of.
+    pub corners: Vec<Corners>,
 }
 
-/// Plain OBJ text for tobj, made from a file as it is read.
-pub struct Scanner<'f, R> {
-    lines: Lines<R>,
-    line: Line,
+/// What can't be told of a piece by itself, or in bulk: the file has to be read line by line.
+#[derive(Clone, Copy, Debug)]
+pub struct NotPlain;
+
+/// Takes statements.
+pub struct Scanner<'f> {
     tally: Tally,
     faces: Grouping,
     corners: Vec<Corner>,
-    counts: Counts,
+    values: Values,
+    /// The first list is of faces that came line by line, the others are of pieces.
+    lists: Vec<Corners>,
     triangles: u32,
     smoothing: bool,
     errors: u32,
     libraries: Vec<Statement>,
-    out: Vec<u8>,
-    /// Bytes of `out` that were read.
-    taken: usize,
+    /// Nothing more is to be read.
     ended: bool,
+    /// Lines of the pieces that were taken.
+    lines: u32,
     file: &'f Path,
 }
 
-impl<'f, R: BufRead> Scanner<'f, R> {
+impl<'f> Scanner<'f> {
     /// `file` is the name in messages.
-    pub fn new(reader: R, file: &'f Path) -> Self {
+    pub fn new(file: &'f Path) -> Self {
         Self {
-            lines: Lines::new(reader, file),
-            line: Line::default(),
             tally: Tally::new(file),
             faces: Grouping::default(),
             corners: Vec::new(),
-            counts: Counts { positions: 0, uvs: 0, normals: 0 },
+            values: Values::default(),
+            lists: vec![Corners::default()],
             triangles: 0,
             smoothing: false,
             errors: 0,
             libraries: Vec::new(),
-            out: Vec::with_capacity(2 * BLOCK),
-            taken: 0,
             ended: false,
+            lines: 0,
             file,
         }
     }
 
-    /// What there was, when all was read.
-    pub fn finish(mut self) -> Scanned {
-        let zeros = self.lines.zeros();
-        if self.triangles == 0 && !self.tally.diagnostics.has_errors() {
-            let end = self.lines.number().max(1);
-            let error = zeros.unwrap_or_else(|| {
-                Diagnostic::at(Severity::Error, self.file, end, "", 0, "the file ends here without a face")
-                    .help("a model needs `v` and `f` lines; was it exported whole?")
-            });
-            self.tally.diagnostics.push(error);
-        } else if let Some(zeros) = zeros {
-            let message = "zero bytes fill the end of this file: they are left out".to_owned();
-            self.tally.diagnostics.push(Diagnostic { severity: Severity::Warning, message, ..zeros });
-        }
-        Scanned { messages: self.tally.finish(), groups: self.faces.groups, libraries: self.libraries }
-    }
-
-    /// Makes the next block of plain text.
-    fn fill(&mut self) {
-        self.out.clear();
-        self.taken = 0;
-        while self.out.len() < BLOCK && !self.ended {
-            let mut line = std::mem::take(&mut self.line);
-            match self.lines.next(&mut line) {
+    /// Takes a whole file, line by line.
+    pub fn read(mut self, reader: impl BufRead) -> Scanned {
+        let mut lines = Lines::new(reader, self.file);
+        let mut line = Line::default();
+        while !self.ended {
+            match lines.next(&mut line) {
                 Ok(true) => {
                     if let Err(error) = self.statement(&line) {
                         self.tally.diagnostics.push(error);
@@ -109,14 +97,99 @@ impl<'f, R: BufRead> Scanner<'f, R> {
                     self.ended = true;
                 }
             }
-            self.line = line;
-            if self.ended || self.faces.is_full() {
-                self.faces.flush(&mut self.out);
+        }
+        let zeros = lines.zeros();
+        if self.triangles == 0 && !self.tally.diagnostics.has_errors() {
+            let end = lines.number().max(1);
+            let error = zeros.unwrap_or_else(|| {
+                Diagnostic::at(Severity::Error, self.file, end, "", 0, "the file ends here without a face")
+                    .help("a model needs `v` and `f` lines; was it exported whole?")
+            });
+            self.tally.diagnostics.push(error);
+        } else if let Some(zeros) = zeros {
+            let message = "zero bytes fill the end of this file: they are left out".to_owned();
+            self.tally.diagnostics.push(Diagnostic { severity: Severity::Warning, message, ..zeros });
+        }
+        self.finish()
+    }
+
+    /// Takes the pieces of a whole file, in their order. `line_at` reads the line at a byte of the file, whose number is one more than that
+    /// given.
+    pub fn take(
+        mut self,
+        pieces: impl IntoIterator<Item = Piece>,
+        line_at: impl Fn(u64, u32) -> Option<Line>,
+    ) -> Result<Scanned, NotPlain> {
+        for piece in pieces {
+            self.take_piece(piece, &line_at)?;
+        }
+        // Why there is none, is told by who reads line by line.
+        if self.triangles == 0 { Err(NotPlain) } else { Ok(self.finish()) }
+    }
+
+    fn finish(self) -> Scanned {
+        Scanned {
+            messages: self.tally.finish(),
+            groups: self.faces.groups,
+            libraries: self.libraries,
+            values: self.values,
+            corners: self.lists,
+        }
+    }
+
+    fn take_piece(&mut self, piece: Piece, line_at: &impl Fn(u64, u32) -> Option<Line>) -> Result<(), NotPlain> {
+        let Piece { values, corners, events, odd, lines, offset } = piece;
+        let source = self.lists.len() as u32;
+        self.lists.push(corners);
+        let mut line = Line::default();
+        let (mut at, mut faces, mut starts, mut text) = ([0; 3], 0, [0; 3], odd.as_slice());
+        for event in events {
+            match event {
+                Event::Values(counts) => at = self.take_values(&values, at, counts)?,
+                Event::Line { bytes, before } => {
+                    let (one, rest) = text.split_at(bytes as usize);
+                    text = rest;
+                    let mut reader = Lines::behind(one, self.file, self.lines + before);
+                    match reader.next(&mut line).map_err(|_| NotPlain)? {
+                        true => self.statement(&line).map_err(|_| NotPlain)?,
+                        false => return Err(NotPlain),
+                    }
+                }
+                Event::Faces(plain) => {
+                    let before = self.values.counts();
+                    if !plain.fits(before) {
+                        return Err(NotPlain);
+                    }
+                    self.count_triangles(plain.corners - 2 * plain.faces).ok_or(NotPlain)?;
+                    if self.has_to_tell(plain.normals) {
+                        let line = line_at(offset + plain.first, self.lines + plain.before).ok_or(NotPlain)?;
+                        let (key, _) = line.statement().ok_or(NotPlain)?;
+                        self.tell_of_face(&line, key, plain.normals);
+                    }
+                    let run =
+                        FaceRun { source, faces: faces..faces + plain.faces, starts, corners: plain.corners, before };
+                    faces = run.faces.end;
+                    let PlainFaces { corners, uvs, normals, .. } = plain;
+                    [true, uvs, normals].iter().zip(&mut starts).for_each(|(has, at)| *at += u32::from(*has) * corners);
+                    if !self.faces.add(run, uvs, normals) {
+                        return Err(NotPlain);
+                    }
+                }
             }
-            if self.errors > 0 {
-                // The model is lost: read on for further messages, and give tobj no more work.
-                self.out.clear();
-            }
+        }
+        self.lines += lines;
+        Ok(())
+    }
+
+    /// Takes the next values of a piece, from its `at` on. Returns what follows them.
+    fn take_values(&mut self, values: &Values, at: Counts, counts: Counts) -> Result<Counts, NotPlain> {
+        let [positions, uvs, normals] = [0, 1, 2].map(|kind| at[kind] as usize..(at[kind] + counts[kind]) as usize);
+        self.values.positions.extend_from_slice(&values.positions[positions]);
+        self.values.uvs.extend_from_slice(&values.uvs[uvs]);
+        self.values.normals.extend_from_slice(&values.normals[normals]);
+        match self.values.counts().iter().all(|count| *count <= MAX_COUNT) {
+            true => Ok([0, 1, 2].map(|kind| at[kind] + counts[kind])),
+            false => Err(NotPlain),
         }
     }
 
@@ -164,9 +237,10 @@ impl<'f, R: BufRead> Scanner<'f, R> {
 
     /// `v x y z`. A wrong one still counts, so that later indices keep their meaning.
     fn vertex(&mut self, line: &Line, key: &str, rest: &str) -> Result<(), Diagnostic> {
-        count(&mut self.counts.positions, line, key)?;
+        count(self.values.positions.len(), line, key)?;
+        self.values.positions.push(DVec3::ZERO);
         let ([x, y, z], more) = position(line, key, rest)?;
-        self.put(&["v ", x, " ", y, " ", z, "\n"]);
+        *last(&mut self.values.positions) = DVec3::new(x, y, z);
         if more {
             self.tally.once("weights", || {
                 line.warning(key, "weights and colours of vertices are left out in this whole file")
@@ -177,35 +251,32 @@ impl<'f, R: BufRead> Scanner<'f, R> {
 
     /// `vn x y z`. Zero stands for a normal that can't be used, and is replaced by the face's own.
     fn normal(&mut self, line: &Line, key: &str, rest: &str) -> Result<(), Diagnostic> {
-        count(&mut self.counts.normals, line, key)?;
+        count(self.values.normals.len(), line, key)?;
+        self.values.normals.push(Vec3::ZERO);
         let values = numbers::<3>(line, key, rest, 3)?;
-        let normal = values.map(|value| value.unwrap_or(f64::NAN));
-        let length = normal.iter().map(|value| value * value).sum::<f64>().sqrt();
-        let usable = length > 1e-150 && length.is_finite();
-        if !usable {
+        let normal = DVec3::from_array(values.map(|value| value.unwrap_or(f64::NAN)));
+        if usable(normal) {
+            *last(&mut self.values.normals) = unit(normal);
+        } else {
             self.tally.push("normals without a direction", || {
                 line.warning(key, "this normal has no direction: the normals of the faces that use it take its place")
             });
-            self.put(&["vn 0 0 0\n"]);
-            return Ok(());
         }
-        let text = format!("vn {} {} {}\n", normal[0], normal[1], normal[2]);
-        self.put(&[&text]);
         Ok(())
     }
 
     /// `vt u [v]`.
     fn uv(&mut self, line: &Line, key: &str, rest: &str) -> Result<(), Diagnostic> {
-        count(&mut self.counts.uvs, line, key)?;
+        count(self.values.uvs.len(), line, key)?;
+        self.values.uvs.push(Vec2::ZERO);
         let values = numbers::<2>(line, key, rest, 1)?;
         if values.contains(&None) {
             self.tally.push("texture coordinates that are not finite", || {
                 line.warning(key, "this texture coordinate is not finite: 0 takes its place")
             });
         }
-        let [u, v] = values.map(|value| value.unwrap_or(0.0));
-        let text = format!("vt {u} {v}\n");
-        self.put(&[&text]);
+        let [u, v] = values.map(|value| value.unwrap_or(0.0) as f32);
+        *last(&mut self.values.uvs) = Vec2::new(u, v);
         Ok(())
     }
 
@@ -217,26 +288,51 @@ impl<'f, R: BufRead> Scanner<'f, R> {
                 let message = format!("a face of more than {MAX_CORNERS} corners");
                 return Err(line.error(word, message).help("triangulate the model before export"));
             }
-            self.corners.push(corner(line, word, self.counts)?);
+            self.corners.push(corner(line, word, self.values.counts())?);
         }
         if self.corners.len() < 3 {
             let message = format!("a face has at least three corners, this one has {}", self.corners.len());
             return Err(line.error(key, message));
         }
-        self.triangles = self.triangles.saturating_add(self.corners.len() as u32 - 2);
-        if self.triangles > MAX_COUNT {
+        if self.count_triangles(self.corners.len() as u32 - 2).is_none() {
             self.ended = true;
             return Err(line.error(key, format!("more than {MAX_COUNT} triangles")).help("split the model into files"));
         }
         self.warn_of_face(line, key);
-        if self.errors == 0 && !self.faces.add(&self.corners) {
+        if self.errors == 0 && !self.add_face() {
             self.ended = true;
             return Err(line.error(key, "too many objects and groups").help("join some of them before export"));
         }
         Ok(())
     }
 
-    /// Attributes that are given for some corners only, and smoothing that nothing tells the shape of.
+    /// Counts triangles of faces; none where they are too many.
+    fn count_triangles(&mut self, more: u32) -> Option<()> {
+        self.triangles = self.triangles.saturating_add(more);
+        (self.triangles <= MAX_COUNT).then_some(())
+    }
+
+    /// Adds the face of `corners` to its group. False where there are too many groups.
+    fn add_face(&mut self) -> bool {
+        let uvs = self.corners.iter().all(|(_, uv, _)| uv.is_some());
+        let normals = self.corners.iter().all(|(.., normal)| normal.is_some());
+        let list = &mut self.lists[0];
+        let starts = list.indices.each_ref().map(|indices| indices.len() as u32);
+        let [to_positions, to_uvs, to_normals] = &mut list.indices;
+        // From 1, as files have them.
+        let written = |index: u32| index as i32 + 1;
+        for (position, uv, normal) in &self.corners {
+            to_positions.push(written(*position));
+            to_uvs.extend(uv.filter(|_| uvs).map(written));
+            to_normals.extend(normal.filter(|_| normals).map(written));
+        }
+        let face = list.arities.len() as u32;
+        list.arities.push(self.corners.len() as u16);
+        let corners = self.corners.len() as u32;
+        self.faces.add(FaceRun { source: 0, faces: face..face + 1, starts, corners, before: [0; 3] }, uvs, normals)
+    }
+
+    /// Attributes that are given for some corners only, and what else is to be told of a face.
     fn warn_of_face(&mut self, line: &Line, key: &str) {
         let uvs = self.corners.iter().filter(|(_, uv, _)| uv.is_some()).count();
         let normals = self.corners.iter().filter(|(.., normal)| normal.is_some()).count();
@@ -245,6 +341,17 @@ impl<'f, R: BufRead> Scanner<'f, R> {
                 line.warning(key, "normals or texture coordinates of some corners only: this face is used without them")
             });
         }
+        self.tell_of_face(line, key, normals > 0);
+    }
+
+    /// Whether `tell_of_face` may have something to tell that was not told before.
+    fn has_to_tell(&self, normals: bool) -> bool {
+        !self.faces.has_material() && !self.tally.has_told("faces without material")
+            || self.smoothing && !normals && !self.tally.has_told("smoothing")
+    }
+
+    /// A face without material, and smoothing that nothing tells the shape of.
+    fn tell_of_face(&mut self, line: &Line, key: &str, normals: bool) {
         if !self.faces.has_material() {
             self.tally.once("faces without material", || {
                 let message =
@@ -252,7 +359,7 @@ impl<'f, R: BufRead> Scanner<'f, R> {
                 line.warning(key, message).help("a scene file can change it under `materials`")
             });
         }
-        if self.smoothing && normals == 0 {
+        if self.smoothing && !normals {
             self.tally.once("smoothing", || {
                 line.warning(
                     key,
@@ -276,21 +383,19 @@ impl<'f, R: BufRead> Scanner<'f, R> {
         self.libraries.push(Statement { names: rest.to_owned(), place: line.warning(rest, "") });
         Ok(())
     }
-
-    fn put(&mut self, pieces: &[&str]) {
-        for piece in pieces {
-            self.out.extend_from_slice(piece.as_bytes());
-        }
-    }
 }
 
-/// Counts one more vertex, normal or texture coordinate.
-fn count(counter: &mut u32, line: &Line, key: &str) -> Result<(), Diagnostic> {
-    if *counter >= MAX_COUNT {
+/// Refuses one more vertex, normal or texture coordinate where there are too many.
+fn count(held: usize, line: &Line, key: &str) -> Result<(), Diagnostic> {
+    if held >= MAX_COUNT as usize {
         return Err(line.error(key, format!("more than {MAX_COUNT} `{key}` lines")).help("split the model into files"));
     }
-    *counter += 1;
     Ok(())
+}
+
+/// What was just added to a list.
+fn last<T>(list: &mut [T]) -> &mut T {
+    list.last_mut().expect("invariant: something was just added")
 }
 
 /// A statement that OBJ files don't have.
@@ -299,27 +404,4 @@ fn unknown(line: &Line, key: &str) -> Diagnostic {
     let help = did_you_mean(key, KNOWN.iter().copied());
     let help = help.unwrap_or_else(|| "is this an OBJ file? Comments begin with `#`".into());
     line.error(key, format!("unknown statement `{short}`")).help(help)
-}
-
-impl<R: BufRead> Read for Scanner<'_, R> {
-    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
-        let available = self.fill_buf()?;
-        let count = available.len().min(buffer.len());
-        buffer[..count].copy_from_slice(&available[..count]);
-        self.consume(count);
-        Ok(count)
-    }
-}
-
-impl<R: BufRead> BufRead for Scanner<'_, R> {
-    fn fill_buf(&mut self) -> std::io::Result<&[u8]> {
-        if self.taken == self.out.len() && !self.ended {
-            self.fill();
-        }
-        Ok(&self.out[self.taken..])
-    }
-
-    fn consume(&mut self, amount: usize) {
-        self.taken += amount;
-    }
 }

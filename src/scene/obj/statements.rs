@@ -1,9 +1,18 @@
 //! The values of single statements.
 
+use glam::{DVec3, Vec3};
+
+use super::geometry::Counts;
 use crate::scene::diagnostic::Diagnostic;
 use crate::scene::lines::{Line, words};
 use crate::scene::model::FARTHEST;
 use crate::scene::text;
+
+/// Corners that a face may have: clipping the ears of a face takes up to the square of its corners.
+pub const MAX_CORNERS: usize = 1 << 14;
+
+/// One corner of a face: position, texture coordinate and normal, from 0.
+pub type Corner = (u32, Option<u32>, Option<u32>);
 
 /// Statements that OBJ files have, for suggestions.
 pub const KNOWN: &[&str] = &["v", "vt", "vn", "f", "o", "g", "s", "usemtl", "mtllib", "l", "p"];
@@ -55,15 +64,15 @@ pub fn is_beyond_us(key: &str) -> bool {
 }
 
 /// The three coordinates of a `v`, and whether more follows (a weight or a colour).
-pub fn position<'l>(line: &Line, key: &str, rest: &'l str) -> Result<([&'l str; 3], bool), Diagnostic> {
+pub fn position(line: &Line, key: &str, rest: &str) -> Result<([f64; 3], bool), Diagnostic> {
     let mut list = words(rest);
-    let mut coordinates = [""; 3];
+    let mut coordinates = [0.0; 3];
     for (found, coordinate) in coordinates.iter_mut().enumerate() {
         let Some(word) = list.next() else {
             return Err(line.error(key, format!("a vertex has three coordinates, this one has {found}")));
         };
         match text::number(word) {
-            Some(value) if value.abs() <= FARTHEST => *coordinate = word,
+            Some(value) if value.abs() <= FARTHEST => *coordinate = value,
             Some(value) if value.is_nan() => return Err(line.error(word, "a vertex can't be at NaN").help(REPAIR)),
             Some(value) if value.is_infinite() => {
                 return Err(line.error(word, "a vertex can't be at infinity").help(REPAIR));
@@ -109,16 +118,19 @@ pub fn numbers<const N: usize>(
     Ok(values)
 }
 
-/// What an index refers to.
-#[derive(Clone, Copy, Debug)]
-pub struct Counts {
-    pub positions: u32,
-    pub uvs: u32,
-    pub normals: u32,
+/// Whether a normal has a direction.
+pub fn usable(normal: DVec3) -> bool {
+    let length = normal.to_array().iter().map(|value| value * value).sum::<f64>().sqrt();
+    length > 1e-150 && length.is_finite()
+}
+
+/// A normal of unit length, or zero where it has no direction.
+pub fn unit(normal: DVec3) -> Vec3 {
+    normal.normalize_or_zero().as_vec3()
 }
 
 /// One corner of a face, `v`, `v/vt`, `v//vn` or `v/vt/vn`: indices from 0, negative ones resolved, all within their lists.
-pub fn corner(line: &Line, word: &str, counts: Counts) -> Result<super::faces::Corner, Diagnostic> {
+pub fn corner(line: &Line, word: &str, counts: Counts) -> Result<Corner, Diagnostic> {
     let mut slots = word.split('/');
     let position = slots.next().unwrap_or_default();
     let (uv, normal) = (slots.next().unwrap_or_default(), slots.next().unwrap_or_default());
@@ -133,9 +145,9 @@ pub fn corner(line: &Line, word: &str, counts: Counts) -> Result<super::faces::C
         return Err(line.error(word, format!("`{word}` has no vertex index: a corner is v/vt/vn")));
     }
     Ok((
-        index(line, position, counts.positions, "vertex (`v`)")?,
-        optional(uv, counts.uvs, "texture coordinate (`vt`)")?,
-        optional(normal, counts.normals, "normal (`vn`)")?,
+        index(line, position, counts[0], "vertex (`v`)")?,
+        optional(uv, counts[1], "texture coordinate (`vt`)")?,
+        optional(normal, counts[2], "normal (`vn`)")?,
     ))
 }
 

@@ -38,7 +38,14 @@ pub enum Kind<'a> {
 
 /// Reads a whole text into a tree; fails at the first place where it is no RON.
 pub fn parse(text: &Text) -> Result<Node<'_>, Diagnostic> {
-    parse_slice(text, &text.text)
+    parse_slice(text, without_last_comment(&text.text).unwrap_or(&text.text))
+}
+
+/// A text without a comment that ends it, which `ron` takes for one only where a line break follows.
+fn without_last_comment(text: &str) -> Option<&str> {
+    let last_line = text.rfind('\n').map_or(0, |at| at + 1);
+    let starts = text[last_line..].match_indices("//").map(|(at, _)| &text[..last_line + at]);
+    starts.into_iter().find(|before| ron::from_str::<&RawValue>(before).is_ok())
 }
 
 /// Reads a slice of a text into a tree.

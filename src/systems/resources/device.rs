@@ -61,8 +61,14 @@ pub struct Budget(pub Duration);
 /// Seconds spent so far.
 #[derive(Resource, Default, Clone, Copy, Debug)]
 pub struct Spent {
+    /// All of what steps took: what is in none of the following is extraction and sending.
+    pub steps: f64,
+    /// Linking, validating and compiling shaders that were missing.
+    pub compile: f64,
     pub build: f64,
     pub trace: f64,
+    /// Pictures of the film, and views.
+    pub picture: f64,
     /// Of `trace`, what the film took that there is.
     pub film: f64,
     /// Samples over all pixels, in all batches since the engine opened.

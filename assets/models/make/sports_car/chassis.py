@@ -63,7 +63,7 @@ def splitter(skin):
     t = np.gradient(p, axis=0)
     out = unit(np.stack([-t[:, 1], t[:, 0]], 1))
     out[0] = (0, 1)
-    grow = np.interp(p[:, 0], [0, .5, .80, .90], [.022, .020, .016, .008])[:, None]
+    grow = np.interp(p[:, 0], [0, .5, .80, .90], [.046, .044, .036, .010])[:, None]
     outer = p + out * grow
     inner = p - out * .05
     outline = np.concatenate([outer, inner[::-1], (inner * (-1, 1))[1:], (outer * (-1, 1))[::-1][:-1]])
@@ -76,10 +76,10 @@ def diffuser():
     ramp = plate("ramp", "carbon", [(.130, -1.50), (.285, -2.105), (.300, -2.100), (.145, -1.49)], -.665, .665, axes=(1, 2), up=0)
     parts = []
     for x in (-.50, -.30, -.10, .10, .30, .50):
-        shape = [(.115, -1.62), (.150, -2.02), (.185, -2.115), (.235, -2.150), (.290, -2.125), (.150, -1.55)]
-        parts.append(plate("fin", "trim_black", shape, x - .006, x + .006, axes=(1, 2), up=0))
+        shape = [(.120, -1.60), (.142, -1.85), (.178, -2.05), (.196, -2.105), (.222, -2.126), (.290, -2.118), (.150, -1.55)]
+        parts.append(plate("fin", "trim_black", shape, x - .005, x + .005, axes=(1, 2), up=0))
     for x in (-.665, .665):
-        shape = [(.118, -1.66), (.150, -1.96), (.205, -2.07), (.30, -2.095), (.40, -2.06), (.40, -1.9), (.20, -1.60)]
+        shape = [(.150, -1.60), (.180, -1.90), (.225, -2.03), (.30, -2.07), (.40, -2.05), (.40, -1.9), (.20, -1.60)]
         parts.append(plate("fin", "trim_black", shape, x - .009, x + .009, axes=(1, 2), up=0))
     edge = plate("diffuser_edge", "trim_black", [(.283, -2.095), (.300, -2.118), (.312, -2.118), (.312, -2.03), (.295, -2.03)], -.66, .66, axes=(1, 2), up=0)
     return [planar(ramp, (0, 2), 30), joined("diffuser_fins", parts), edge]
@@ -97,13 +97,13 @@ def mirror_arm():
 
 def mirrors():
     """A shell that tapers ahead, on a short wing, with a pane."""
-    x, y, z = .968, .850, .650
+    x, y, z = .968, .850, .640
     rings = []
-    for t, half, height in ((0, .100, .047), (.10, .107, .053), (.38, .106, .053), (.68, .098, .047), (.90, .080, .037), (1, .052, .022)):
+    for t, half, height in ((0, .100, .043), (.08, .108, .049), (.30, .107, .048), (.60, .098, .040), (.85, .078, .027), (1, .046, .012)):
         u, v = squared(half, height, .5, lean=.20)
-        rings.append(np.stack([x + u - .050 * t ** 1.5, y + v - .016 * t, z + .150 * t + .018 * (-u / .1) * (1 - .5 * t)], 1))
+        rings.append(np.stack([x + u - .050 * t ** 1.5, y + v - .022 * t, z + .190 * t + .018 * (-u / .1) * (1 - .5 * t)], 1))
     shell = soft_loft("mirror", "paint", rings, 1)
-    u, v = squared(.089, .040, .5, 28, .20)
+    u, v = squared(.089, .036, .5, 28, .20)
     glass = np.stack([x + u, y + v, z - .004 - .18 * u], 1)
     pane = smooth("mirror_pane", "mirror", glass, [list(range(len(u)))[::-1]], 30)
     edge = sweep("mirror_edge", "gloss_black", glass + (0, 0, .004), disk(.0055, 8), 60, closed=True)

@@ -14,16 +14,18 @@ def projectors(skin):
     ahead = look_along((.12, .22, 1))
     for x, z, r in ((.700, 1.945, .027), (.757, 1.865, .027), (.806, 1.785, .024)):
         centre = on_top(skin, x, z, -.034)
-        profile = [(-.05, r * .9), (.008, r * 1.05), (.014, r * 1.22), (.017, r * 1.30), (.019, r * 1.26), (.017, r * 1.1), (.004, r * .98)]
+        profile = [(-.05, r * 1.2), (.010, r * 1.26), (.016, r * 1.30), (.019, r * 1.26), (.018, r * 1.20)]
+        cup = [(.018, r * 1.20), (.010, r * 1.10), (-.006, r * .86), (-.020, r * .80)]
         bezels.append(oriented(lathe("bezel", "chrome", profile, 22, 40)).moved(ahead, centre))
-        dome = [(.003 + .62 * r * np.cos(a), r * .97 * np.sin(a)) for a in np.linspace(np.pi / 2, 0, 5)]
+        cups.append(lathe("cup", "gloss_black", cup, 22, 40).moved(ahead, centre))
+        dome = [(-.012 + .45 * r * np.cos(a), r * .82 * np.sin(a)) for a in np.linspace(np.pi / 2, 0, 5)]
         domes.append(oriented(lathe("dome", "lamp_glow", dome, 20, 60)).moved(ahead, centre))
-    return [joined("bezels", bezels), joined("domes", domes)]
+    return [joined("bezels", bezels), joined("cups", cups), joined("domes", domes)]
 
 
 def signature(skin):
     """The strip: a bent line along the lower edge, with a hook at the inner end."""
-    points = [(.640, 2.035), (.700, 2.005), (.765, 1.945), (.815, 1.870), (.838, 1.790), (.842, 1.725)]
+    points = [(.640, 2.058), (.705, 2.034), (.775, 1.968), (.822, 1.885), (.845, 1.790), (.850, 1.705)]
     line = []
     for (a, b), (c, d) in zip(points, points[1:]):
         line += [(a + (c - a) * t, b + (d - b) * t) for t in np.linspace(0, 1, 5)[:-1]]
@@ -41,7 +43,7 @@ def signature(skin):
 
 def badge(skin):
     """A round badge on the nose: a ring of chrome, black inside, with a letter."""
-    centre, normal = on_face(skin, 0, .447, .004, 1)
+    centre, normal = on_face(skin, 0, .405, .004, 1)
     turn = look_along(normal)
     ring = lathe("badge_ring", "chrome", [(-.006, .040), (.003, .040), (.006, .038), (.006, .034), (.0035, .033)], 36, 30)
     field = lathe("badge_field", "gloss_black", [(.0034, .0332), (.0038, .016), (.004, 0)], 36, 60)

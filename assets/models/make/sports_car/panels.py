@@ -22,8 +22,8 @@ house = lambda t, l: t[0] == "top" and 5 < t[1] < 13 and t[2] in (1, 2)
 roof = lambda t, l: t[0] == "top" and 5 < t[1] < 13 and t[2] < 2
 deck = lambda t, l: t[0] == "top" and t[1] > 9 and t[2] < 4
 
-WINDSCREEN = mirrored([(0, 1.108), (.16, 1.098), (.30, 1.068), (.42, 1.025), (.52, .955), (.552, .890), (.556, .740), (.545, .570), (.522, .390),
-                       (.500, .260), (.30, .295), (0, .308)])
+WINDSCREEN = mirrored([*curve([(0, 1.108), (.16, 1.100), (.30, 1.074), (.42, 1.024), (.505, .948), (.545, .860), (.556, .740), (.545, .570), (.522, .390), (.500, .260)], 4),
+                       *curve([(.470, .262), (.30, .293), (0, .308)], 4)])
 SIDE_WINDOW = [*curve([(.845, .797), (.690, .850), (.470, .934), (.220, 1.018), (.020, 1.060), (-.190, 1.068), (-.345, 1.048)], 4),
                *curve([(-.418, .838), (-.230, .820), (.070, .806), (.470, .793), (.770, .789)], 4)]
 QUARTER = [*curve([(-.386, 1.036), (-.510, .994), (-.620, .946), (-.692, .912)], 4), (-.652, .862), (-.462, .846)]
@@ -32,25 +32,32 @@ DAYLIGHT = [*curve([(.870, .786), (.690, .860), (.470, .944), (.220, 1.028), (.0
             *curve([(-.662, .850), (-.470, .834), (-.230, .809), (.070, .796), (.470, .783), (.770, .778)], 4)]
 REAR_WINDOW = mirrored([(0, -.420), (.34, -.435), (.375, -.480), (.335, -.750), (.30, -.775), (0, -.775)])
 LID = mirrored([(0, -.385), (.39, -.405), (.445, -.52), (.405, -.90), (.375, -1.35), (.405, -1.74), (.365, -1.80), (0, -1.80)])
-BONNET = mirrored([(0, 2.09), (.35, 2.07), (.52, 1.985), (.575, 1.82), (.56, 1.53), (.58, 1.24), (.60, 1.14), (.45, 1.135), (.20, 1.16), (0, 1.168)])
-BONNET_VENT = [(.135, 1.600), (.395, 1.690), (.445, 1.650), (.432, 1.585), (.165, 1.510)]
-LAMP = [(.600, 2.045), (.655, 1.93), (.735, 1.80), (.800, 1.715), (.852, 1.672), (.868, 1.735), (.858, 1.86), (.815, 1.955), (.72, 2.035), (.64, 2.075)]
+# It ends ahead at the bumper, behind at the cowl.
+BONNET = mirrored([(0, 2.5), *curve([(.602, 2.5), (.596, 2.20), (.596, 1.98), (.600, 1.76), (.592, 1.54), (.600, 1.34), (.616, 1.20), (.616, 1.13), (.590, 1.085)], 5),
+                   *curve([(.530, 1.090), (.420, 1.128), (.20, 1.158), (0, 1.165)], 5)])
+COWL = mirrored([(0, 1.3), *curve([(.610, 1.3), (.608, 1.09), (.604, 1.03), (.588, .95), (.566, .87), (.548, .80)], 5), (0, .80)])
+BONNET_VENT = [*curve([(.135, 1.572), (.230, 1.622), (.330, 1.668), (.440, 1.684)], 5), *curve([(.452, 1.618), (.350, 1.592), (.250, 1.552), (.160, 1.508)], 5)]
+LAMP = [*curve([(.598, 2.092), (.700, 2.062), (.785, 1.988), (.838, 1.893), (.862, 1.785), (.864, 1.640)], 5)[:-1],
+        *curve([(.864, 1.640), (.800, 1.735), (.732, 1.838), (.660, 1.960), (.598, 2.092)], 5)[:-1]]
 DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .42), (.85, .25), (.78, .195), (-.22, .195), (-.31, .25), (-.36, .40), (-.405, .60), (-.45, .78), (-.45, 1.4)]
-INTAKE = [(-.470, .672), (-.560, .700), (-.790, .706), (-.862, .660), (-.848, .530), (-.775, .385), (-.690, .352), (-.600, .420), (-.520, .540)]
-BUMPER = [(1.2, .455), (1.72, .462), (1.90, .505), (2.05, .515), (2.20, .545), (2.7, .53), (2.7, -.5), (1.2, -.5)]
+INTAKE = [*curve([(-.475, .668), (-.600, .694), (-.740, .706), (-.852, .702)], 4), *curve([(-.876, .672), (-.870, .580), (-.835, .480), (-.775, .385), (-.735, .352)], 4),
+          *curve([(-.690, .350), (-.655, .378), (-.580, .472), (-.515, .572)], 4)]
+# Height of the seam above the front bumper, by x: from the bonnet's edge through the lamp to the arch.
+BUMPER = curve([(0, .496), (.25, .499), (.45, .513), (.60, .538), (.75, .560), (.83, .545), (.88, .520), (.93, .490), (.99, .462), (1.2, .452)], 6)
 REAR_BUMPER = [(-1.2, .60), (-1.72, .60), (-1.90, .598), (-2.7, .585), (-2.7, -.5), (-1.2, -.5)]
-CENTRE_INTAKE = mirrored([(0, .300), (.36, .306), (.475, .270), (.535, .180), (.510, .152), (0, .152)])
-OUTER_INTAKE = [(.610, .165), (.635, .265), (.700, .370), (.775, .415), (.868, .435), (.893, .385), (.884, .240), (.850, .172)]
+CENTRE_INTAKE = mirrored([*curve([(0, .296), (.20, .298), (.36, .296), (.450, .272), (.505, .222)], 4), *curve([(.530, .178), (.512, .156), (.440, .150)], 4), (.30, .150), (0, .150)])
+OUTER_INTAKE = [*curve([(.628, .178), (.648, .250), (.700, .335), (.770, .385), (.872, .414)], 4), *curve([(.896, .380), (.892, .300), (.880, .225)], 4),
+                *curve([(.850, .176), (.760, .166), (.665, .164)], 4)]
 # Of each intake of the nose: its outline and the heights of its bars.
 MOUTHS = {"centre_intake": (CENTRE_INTAKE, (.228,)), "outer_intake": (OUTER_INTAKE, (.235,))}
 # How wide the frame of such an intake is, and how deep it leads.
-FRAME, FUNNEL = .022, .040
+FRAME, FUNNEL = .026, .034
 TAIL_PANEL = mirrored([(0, .812), (.55, .808), (.80, .778), (.826, .738), (.80, .655), (.55, .624), (0, .624)])
 # How wide and how deep the slope is that leads to what lies in it.
 TAIL_FRAME, TAIL_DEPTH = .026, .042
 TAIL_LAMP = [(.425, .783), (.62, .778), (.775, .752), (.796, .730), (.782, .674), (.62, .651), (.465, .651)]
 DIFFUSER = mirrored([(0, .492), (.285, .492), (.335, .462), (.575, .455), (.655, .385), (.66, .05), (0, .05)])
-VENT = [(.735, .410), (.715, .520), (.735, .552), (.858, .572), (.868, .545), (.852, .440), (.835, .415)]
+VENT = [*curve([(.722, .428), (.716, .478), (.722, .526)], 4), *curve([(.748, .546), (.800, .556), (.850, .562)], 4), *curve([(.868, .538), (.860, .486), (.846, .440)], 4), (.822, .414), (.752, .408)]
 HANDLE = [(-.165, .705), (-.325, .722), (-.340, .707), (-.322, .692), (-.175, .679)]
 LOUVRES = 9
 
@@ -76,6 +83,16 @@ def fine(tag):
     return (i < 4 and j > 2) or (5 < i < 13 and j in (1, 2)) or i > 14 or (i > 11 and j == 1) or (i in (6, 7) and j < 3)
 
 
+def bumper(p):
+    """How far above the front bumper's seam, along the surface, which lies flatter towards the middle."""
+    return (p[:, 1] - np.interp(p[:, 0], *BUMPER.T)) * np.interp(p[:, 0], (0, .6, .85, .96), (2.4, 2.2, 1.6, .9))
+
+
+def sill(p):
+    """Below the line that parts the skirt from the flank, which rises towards both wheels."""
+    return p[:, 1] - .152 - .040 * np.clip((-.1 - p[:, 2]) / .8, 0, 1) ** 2 - .020 * np.clip((p[:, 2] - .45) / .45, 0, 1) ** 2
+
+
 def windows(skin):
     pick = lambda where, label: (lambda t, l: l == label and where(t, l))
     for name, outline, axes, where, radius in (
@@ -84,7 +101,7 @@ def windows(skin):
         window = Outline(outline, axes, radius)
         skin.region(name + "_seal", window, pick(where, "body"))
         skin.region(name + "_frit", window, pick(where, name + "_seal"), -.007)
-        skin.region(name, window, pick(where, name + "_frit"), -.034 if name == "windscreen" else -.013)
+        skin.region(name, window, pick(where, name + "_frit"), -.026 if name == "windscreen" else -.010)
     skin.region("pillar", Outline(DAYLIGHT, SIDE, .012), pick(house, "body"))
 
 
@@ -95,10 +112,11 @@ def cut(skin):
     for z, y, r in ARCHES:
         skin.region("hole", circle((z, y), r), side)
     pick = lambda where, label: (lambda t, l: l == label and where(t, l))
-    lamp = Outline(LAMP, TOP, (.01, .1, .1, .06, .012, .03, .08, .08, .1, .02))
-    skin.panel("lamp", lamp, nose, GAP)
-    skin.panel("bumper", Outline(BUMPER, SIDE, (0, .05, .1, .1, .1, 0, 0, 0)), around_front, GAP)
-    skin.panel("bonnet", Outline(BONNET, TOP, .05), nose_or_cowl, GAP)
+    skin.panel("bonnet", Outline(BONNET, TOP, .02), nose_or_cowl, GAP)
+    skin.region("cowl", Outline(COWL, TOP, .02), lambda t, l: nose_or_cowl(t, l) and l == "body" and t[1] > 2)
+    # Each takes what it covers of the one before, so that their gaps meet.
+    skin.panel("bumper", bumper, around_front, GAP, ("body", "bonnet"))
+    skin.panel("lamp", Outline(LAMP, TOP, .008), nose, GAP, ("body", "bonnet", "bumper"))
     skin.panel("door", Outline(DOOR, SIDE, (0, .06, .1, .15, .08, .07, .07, .08, .1, .1, .06, 0)), flank, GAP)
     skin.panel("tail_bumper", Outline(REAR_BUMPER, SIDE, (0, .05, .1, 0, 0, 0)), around_rear, GAP)
     skin.panel("lid", Outline(LID, TOP, .05), deck, GAP)
@@ -114,7 +132,7 @@ def cut(skin):
     skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)
     skin.region("intake_blade", lambda p: np.abs(p[:, 1] - .565 + .14 * (p[:, 2] + .68)) - .013, pick(side, "intake"))
     skin.panel("handle", Outline(HANDLE, SIDE, .012), side, .004, ("door",))
-    skin.region("skirt", lambda p: p[:, 1] - (.178 + .012 * np.clip(-p[:, 2], 0, 1)), lambda t, l: side(t, l) and l in ("body", "door") and 3 < t[1] < 13)
+    skin.region("skirt", sill, lambda t, l: side(t, l) and l in ("body", "door") and 3 < t[1] < 13)
     skin.region("bonnet_vent_frame", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
     skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet_vent_frame"), -.008)
     for name, (outline, bars) in MOUTHS.items():
@@ -131,7 +149,7 @@ def cut(skin):
     skin.region("tail_panel", panel, pick(tail_wide, "tail_frame"), -TAIL_FRAME)
     skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .02), pick(tail_wide, "tail_panel"))
     skin.region("diffuser", Outline(DIFFUSER, FRONT, .03), pick(tail_wide, "tail_bumper"))
-    skin.region("vent", Outline(VENT, FRONT, .02), pick(tail_wide, "tail_bumper"))
+    skin.region("vent", Outline(VENT, FRONT, .012), pick(tail_wide, "tail_bumper"))
     for y in (.462, .512):
         skin.region("vent_blade", lambda p: np.abs(p[:, 1] - y - .08 * (p[:, 0] - .79)) - .006, pick(tail_wide, "vent"))
     for _ in range(2):

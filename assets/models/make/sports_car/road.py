@@ -151,16 +151,22 @@ def repairs():
 
 
 def wall():
-    """Three courses of blocks, each a little different, and a plain run far beyond; cap stones on top."""
+    """Three courses of blocks, each a little different, here and there two low ones for one; a plain run far beyond; cap stones on top."""
     blocks = []
     rng = np.random.default_rng(9)
-    for course in range(3):
+    foot = .108
+    for course, high in enumerate((.243, .198, .225)):
         z = -WALL_ENDS - .23 * course
         while z < WALL_ENDS:
-            long, high = rng.uniform(.36, .66), .215
-            blocks.append(boxed_uv(block("wall_blocks", "wall", (WALL - .17 + rng.normal(0, .007), .108 + .111 + course * .222, z + long / 2),
-                                         (.34, high, long - .014), .016, 0), .9, int(rng.integers(1e6))))
+            long = rng.uniform(.26, .50) if rng.random() < .4 else rng.uniform(.45, .82)
+            parts = [(0, high)]
+            if rng.random() < .16:
+                parts, long = [(0, high * .5), (high * .5, high * .5)], min(long, .5)
+            for low, tall in parts:
+                centre = (WALL - .17 + rng.normal(0, .009), foot + low + tall / 2, z + long / 2)
+                blocks.append(boxed_uv(block("wall_blocks", "wall", centre, (.34, tall - .009, long - rng.uniform(.010, .018)), rng.uniform(.012, .024), 0), .9, int(rng.integers(1e6))))
             z += long
+        foot += high
     out = [joined("wall_blocks", blocks)]
     out.append(box("wall_core", "mortar", (WALL - .17, .40, 0), (.24, .64, 2 * WALL_ENDS - .4), .01, 1))
     runs = [boxed_uv(block("wall_far", "wall", (WALL - .17, .10 + .333, sum(z) / 2), (.33, .70, z[1] - z[0]), .01, 0), .9, 5) for z in ((-200, .1 - WALL_ENDS), (WALL_ENDS - .1, 200))]

@@ -28,7 +28,7 @@ def planar(part, axes, scale):
 def blade(p):
     """How far a skirt stands out: it leans out of the body's shadow towards its lower edge, and ends in the arches flush."""
     ends = np.clip((np.minimum(.93 - p[:, 2], p[:, 2] + .91)) / .12, 0, 1)
-    return .030 * ends * np.clip((.172 - p[:, 1]) / .045, 0, 1)
+    return .020 * ends * np.clip((.165 - p[:, 1]) / .045, 0, 1)
 
 
 def panels(skin):
@@ -37,9 +37,10 @@ def panels(skin):
         part = skin.part(name, "paint", {name}, fold=.020 if name != "body" else .024, lip=.0034)
         out += pair(part) if name in ("door", "flap") else [both(part)]
     out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-.017)))
-    out += pair(skin.part("handle", "gloss_black", {"handle"}, offset=.003, fold=.012, lip=.003))
+    out += pair(skin.part("handle", "paint", {"handle"}, offset=.001, fold=.012, lip=.003))
     out.append(both(skin.part("skirts", "carbon", {"skirt"}, offset=blade, fold=.012, lip=.003)))
     planar(out[-1], (2, 1), 30)
+    out.append(both(skin.part("cowl", "trim_black", {"cowl"}, offset=-.006, fold=.02, lip=.003)))
     slats = []
     for k in range(LOUVRES):
         start = -.850 - k * .096
@@ -84,7 +85,7 @@ def mouths(skin):
     for name, (outline, _) in MOUTHS.items():
         hole = Outline(outline, FRONT, .03)
         funnel = lambda p: -.002 - FUNNEL * (1 - np.clip(hole(p) / FRAME, 0, 1))
-        row = [skin.part(name + "_frame", "gloss_black", {name + "_frame"}, offset=funnel, fold=.01),
+        row = [skin.part(name + "_frame", "paint", {name + "_frame"}, offset=funnel, fold=.02, lip=.005),
                skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-FUNNEL - .008, fold=.03, lip=.003),
                skin.part(name + "_walls", "trim_black", {name, name + "_bar"}, offset=-FUNNEL, fold=.14, lip=.004, walls=True)]
         for part in row:
@@ -95,11 +96,11 @@ def mouths(skin):
 def openings(skin):
     """Meshes, walls and darkness behind the other holes."""
     out = mouths(skin)
-    for name in ("intake_frame", "bonnet_vent_frame"):
-        out += pair(skin.part(name, "gloss_black", {name}, offset=-.002, fold=.01))
+    out += pair(skin.part("intake_frame", "paint", {"intake_frame"}, offset=-.001, fold=.03, lip=.006))
+    out += pair(skin.part("bonnet_vent_frame", "gloss_black", {"bonnet_vent_frame"}, offset=-.002, fold=.01))
     out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=.001, fold=.07, lip=.004))
     out += pair(skin.part("vent_blades", "gloss_black", {"vent_blade"}, offset=-.004, fold=.02, lip=.003))
-    for name, depth, axes, back, ahead in (("vent", .025, (0, 1), .06, (0, 0, 1.0)), ("intake", .075, (2, 1), .13, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
+    for name, depth, axes, back, ahead in (("vent", .045, (0, 1), .09, (0, 0, 1.0)), ("intake", .15, (2, 1), .20, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
         push = lambda d: (lambda p, n: p + np.array(ahead) * d)
         out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, fold=back, lip=.004, walls=True))
         out += pair(planar(skin.part(name + "_mesh", "grille", {name, name + "_blade"}, shift=push(depth)), axes, 14))

@@ -7,7 +7,7 @@ from mesh import Part, face_normals, unit, untwisted
 
 NEAR = 2.5e-4
 # What a normal between two corners may differ from their mean.
-SHADED = .045
+SHADED = .024
 
 
 class Skin:
@@ -19,7 +19,7 @@ class Skin:
         self.above = dict(zip(parents, grandparents))
         self.order = list(range(len(faces)))
         self.labels = ["body"] * len(faces)
-        self.within = .0018
+        self.within = .0010
         self.normals = None
 
     def shade(self):

@@ -15,7 +15,7 @@ def tyre(half, radius, rim):
     """Outer sidewall to inner sidewall over the tread. Two grooves round its outer half, and slots across the shoulders."""
     h, r = half, radius
     side = [(h - .018, rim - .008), (h - .006, rim - .002), (h + .001, rim + .003), (h + .0045, rim + .006), (h + .0045, rim + .011), (h + .0005, rim + .014),
-            (h + .004, rim + .026), (h + .005, r - .031), (h + .0065, r - .029), (h + .0065, r - .025), (h + .003, r - .023),
+            (h + .006, rim + .026), (h + .0088, rim + .042), (h + .0075, r - .033), (h + .0085, r - .031), (h + .0080, r - .027), (h + .0045, r - .024),
             (h - .003, r - .014), (h - .012, r - .0065), (h - .024, r - .0025)]
     tread = []
     for k, g in enumerate((.42, .14)):
@@ -23,7 +23,7 @@ def tyre(half, radius, rim):
         w, deep = .0048, .0075
         tread += [(x + w, r - .0008 * (1 - k)), (x + w - .001, r - deep), (x - w + .001, r - deep), (x - w, r)]
     outer = side + tread
-    profile = outer + [(-x, y) for x, y in [(h * .5, r - .0015)] + side[13:9:-1] + side[6::-2]]
+    profile = outer + [(-x, y) for x, y in [(h * .5, r - .0015)] + side[14:10:-1] + side[7::-2]]
     pitch = 21
 
     def slots(x, rr, turn):
@@ -42,7 +42,7 @@ def lettering(half, radius, rim, side):
     for start in (.5 * np.pi, 1.5 * np.pi):
         def place(across, up, out):
             turn = start + side * across / middle
-            return half + .0025 + out, (middle + up) * np.sin(turn), (middle + up) * np.cos(turn)
+            return half + .0066 + out, (middle + up) * np.sin(turn), (middle + up) * np.cos(turn)
         words.append(text("tyre_letters", "tyre_letters", "LUCERNA", height, .0022, place, .2, .5))
     return joined("tyre_letters", words)
 

@@ -54,8 +54,9 @@ pub fn measure(
     tracer.set(Render { seed: WARM_UP_SEED, spp: extent.warm_up(), ..render });
     let mut whole = tracer.finish(monitor)?;
     let (mut runs, mut bad_samples) = (Vec::new(), 0);
+    let snapshots = extent.snapshots();
     for seed in 0..extent.seeds {
-        let run = if whole { film(tracer, Render { seed, ..render }, extent, reference, monitor)? } else { None };
+        let run = if whole { film(tracer, Render { seed, ..render }, &snapshots, reference, monitor)? } else { None };
         match run {
             Some((run, bad)) => {
                 runs.push(run);
@@ -67,18 +68,18 @@ pub fn measure(
     Ok((!runs.is_empty()).then(|| ConfigurationRecord::of(configuration.to_string(), bad_samples, runs)))
 }
 
-/// One film, and its bad samples; none if a signal came before its end.
-fn film(
+/// One film, looked at after so many samples a pixel, and its bad samples; none if a signal came before its end.
+pub fn film(
     tracer: &mut Tracer,
     render: Render,
-    extent: Extent,
+    numbers: &[u32],
     reference: &Reference,
     monitor: &mut Monitor,
 ) -> Result<Option<(Run, u64)>, BenchError> {
     let before = tracer.report()?.seconds_trace;
     let mut snapshots = Vec::new();
     let mut bad_samples = 0;
-    for spp in extent.snapshots() {
+    for &spp in numbers {
         tracer.set(Render { spp, ..render });
         if !tracer.finish(monitor)? {
             return Ok(None);

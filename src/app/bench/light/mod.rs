@@ -6,12 +6,12 @@
 pub mod against;
 mod arguments;
 pub mod configuration;
-mod key;
-mod measure;
+pub mod key;
+pub mod measure;
 pub mod plot;
 mod read;
 pub mod record;
-mod reference;
+pub mod reference;
 pub mod tables;
 pub mod winner;
 
@@ -111,18 +111,28 @@ fn subject(name: &str, arguments: &LightArguments, library: &Library) -> Result<
 fn empty(gpu: &Gpu, arguments: &LightArguments) -> Bench {
     Bench {
         version: env!("CARGO_PKG_VERSION").to_owned(),
-        made: SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs()),
+        made: now(),
         interrupted: false,
-        machine: Machine {
-            adapter: gpu.name(),
-            software: gpu.is_software(),
-            os: std::env::consts::OS.to_owned(),
-            architecture: std::env::consts::ARCH.to_owned(),
-            threads: std::thread::available_parallelism().map_or(1, usize::from),
-        },
+        machine: machine(gpu),
         seeds: arguments.seeds,
         spp: arguments.spp,
         scenes: Vec::new(),
+    }
+}
+
+/// Seconds since 1970.
+pub fn now() -> u64 {
+    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs())
+}
+
+/// What this runs on.
+pub fn machine(gpu: &Gpu) -> Machine {
+    Machine {
+        adapter: gpu.name(),
+        software: gpu.is_software(),
+        os: std::env::consts::OS.to_owned(),
+        architecture: std::env::consts::ARCH.to_owned(),
+        threads: std::thread::available_parallelism().map_or(1, usize::from),
     }
 }
 

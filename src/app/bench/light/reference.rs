@@ -19,7 +19,7 @@ use crate::scene::{self, SceneDescription};
 use crate::stats::metrics::DARK;
 
 /// The estimator that is trusted most: independent samples, no path ended early, textures looked up at points.
-const TRUSTED: Configuration = Configuration {
+pub const TRUSTED: Configuration = Configuration {
     integrator: Integrator::Path,
     sampler: Sampler::Pcg,
     roulette: false,

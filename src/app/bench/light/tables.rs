@@ -79,6 +79,11 @@ fn summary_row(scene: &SceneRecord, configuration: &ConfigurationRecord, last: &
         Some(error) => with_spread(slope.slope, error),
         None => format!("{:.3}", slope.slope),
     });
+    // Of a peer's rays nothing is known.
+    let rays = match last.rays_per_second {
+        0.0 => "-".to_owned(),
+        rays => format!("{:.2}", rays * 1e-6),
+    };
     let reach = match configuration.reach() {
         Some(Crossing::At(seconds)) => short(seconds),
         Some(Crossing::Before(seconds)) => format!("< {}", short(seconds)),
@@ -86,7 +91,7 @@ fn summary_row(scene: &SceneRecord, configuration: &ConfigurationRecord, last: &
         None => "-".to_owned(),
     };
     format!(
-        "| {} | {} | {} | {}{} | {} | {} | {:.2} | {} | {slope} | {reach} |\n",
+        "| {} | {} | {} | {}{} | {} | {} | {rays} | {} | {slope} | {reach} |\n",
         scene.scene,
         configuration.name,
         last.spp,
@@ -94,7 +99,6 @@ fn summary_row(scene: &SceneRecord, configuration: &ConfigurationRecord, last: &
         doubt(scene, last),
         short(last.relmse.mean * f64::from(last.spp)),
         spread(&last.seconds),
-        last.rays_per_second * 1e-6,
         last.efficiency.as_ref().map_or("-".to_owned(), spread),
     )
 }
