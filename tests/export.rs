@@ -259,4 +259,5 @@ fn a_folder_that_can_not_be_written_is_told_before_the_scene_is_read() {
     let run = command.args(["export", "no-such-scene", "--mitsuba"]).arg(&target).output().unwrap();
     let text = String::from_utf8(run.stderr).unwrap();
     assert!(run.status.code() == Some(1) && text.contains("can't make the folder"), "{text}");
+    assert!(text.contains("choose another place with --mitsuba DIR"), "{text}");
 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::app::shared::output;
+use crate::app::shared::output::{self, Unplaced};
 use crate::app::shared::scene::SceneFlags;
 use crate::app::shared::settings::SettingFlags;
 use crate::app::shared::values::{MORE, define};
@@ -43,9 +43,11 @@ pub fn run(arguments: &ExportArguments) -> Result<Exit, Failure> {
         define: arguments.define.clone(),
         shaders: None,
     };
-    mitsuba::prepare(&arguments.mitsuba)?;
+    let refused = |error| Failure::of(Unplaced::by("--mitsuba DIR")(error));
+    mitsuba::prepare(&arguments.mitsuba).map_err(refused)?;
     let opened = flags.open(&arguments.scene, arguments.quiet)?;
-    let exported = mitsuba::export(&opened.description, scene::audit(&opened.path), &arguments.mitsuba)?;
+    let exported = mitsuba::export(&opened.description, scene::audit(&opened.path), &arguments.mitsuba);
+    let exported = exported.map_err(refused)?;
     output::print(&told(&exported))?;
     Ok(Exit::Done)
 }

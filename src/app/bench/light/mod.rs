@@ -54,7 +54,7 @@ pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
     let earlier = arguments.against.as_deref().map(against::read).transpose()?;
     // What is measured for an hour is not to end in a refusal.
     for name in FILES {
-        file::prepare(&arguments.out.join(name))?;
+        file::prepare(&arguments.out.join(name)).map_err(BenchError::from)?;
     }
     let library = Library::shipped();
     let mut subjects = Vec::new();
