@@ -55,13 +55,9 @@ pub fn run(arguments: &ExportArguments) -> Result<Exit, Failure> {
 /// What was written, and how it differs.
 pub fn told(exported: &Exported) -> String {
     let Exported { scene, meshes, lights, notes } = exported;
-    let count = |number: &usize, what: &str| format!("{number} {what}{}", if *number == 1 { "" } else { "s" });
-    let mut text = format!(
-        "{}: {}, {}\n",
-        scene.display(),
-        count(meshes, "mesh").replace("meshs", "meshes"),
-        count(lights, "light")
-    );
+    let count = |number: &usize, one: &str, many: &str| format!("{number} {}", if *number == 1 { one } else { many });
+    let (meshes, lights) = (count(meshes, "mesh", "meshes"), count(lights, "light", "lights"));
+    let mut text = format!("{}: {meshes}, {lights}\n", scene.display());
     let mut list = |head: &str, weight: Weight| {
         let lines: String =
             notes.iter().filter(|note| note.weight == weight).map(|note| format!("  {note}\n")).collect();
