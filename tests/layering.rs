@@ -96,22 +96,7 @@ fn modules_know_only_what_is_below_them() {
         ("cpu", &["image", "layout", "parallel", "stats"]),
         ("gpu", &["layout", "parallel", "shader", "passes"]),
         ("watch", &["components", "cpu", "files", "gpu", "layout", "passes", "scene", "shader"]),
-        (
-            "systems",
-            &[
-                "components",
-                "cpu",
-                "files",
-                "gpu",
-                "layout",
-                "parallel",
-                "passes",
-                "prepare",
-                "scene",
-                "shader",
-                "watch",
-            ],
-        ),
+        ("systems", &["components", "cpu", "files", "gpu", "layout", "passes", "prepare", "scene", "shader", "watch"]),
         (
             "engine",
             &["components", "cpu", "gpu", "layout", "parallel", "passes", "scene", "shader", "systems", "watch"],

@@ -47,13 +47,8 @@ impl PathScene<'_> {
                     let drawn = || pcg4d(UVec4::new(point.chance, m as u32, k as u32, 0)).x | 1;
                     let chance = match point.chance {
                         NO_CHANCE => NO_CHANCE,
-                        own => {
-                            if m == k {
-                                own
-                            } else {
-                                drawn()
-                            }
-                        }
+                        own if m == k => own,
+                        _ => drawn(),
                     };
                     let hit = self.closest_there(from.as_ref()?.position, link.direction, chance)?;
                     (hit.triangle.index == point.triangle).then_some(link.at)

@@ -19,23 +19,30 @@ pub enum SaveError {
     #[diagnostic(help("name a file in it"))]
     IsFolder(PathBuf),
     #[error("{}: is a pipe or a device, not a file", .0.display())]
-    #[diagnostic(help("choose another place with -o FILE"))]
+    #[diagnostic(help("choose another place"))]
     NoFile(PathBuf),
     #[error("{}: is a link that leads to no end", .0.display())]
-    #[diagnostic(help("remove the link, or choose another place with -o FILE"))]
+    #[diagnostic(help("remove the link, or choose another place"))]
     Loop(PathBuf),
     #[error("{} and {} are the same file", .0.display(), .1.display())]
     #[diagnostic(help("give each kind of file a place of its own"))]
     Same(PathBuf, PathBuf),
     #[error("{}: is one of the files that are read: it would be lost", .0.display())]
-    #[diagnostic(help("choose another place with -o FILE"))]
+    #[diagnostic(help("choose another place"))]
     Input(PathBuf),
     #[error("{}: can't make the folder: {source}", folder.display())]
-    #[diagnostic(help("choose another place with -o FILE"))]
+    #[diagnostic(help("choose another place"))]
     Folder { folder: PathBuf, source: std::io::Error },
     #[error("{}: can't write: {source}", path.display())]
-    #[diagnostic(help("choose another place with -o FILE, or make room there"))]
+    #[diagnostic(help("make room there, or choose another place"))]
     Write { path: PathBuf, source: std::io::Error },
+}
+
+impl SaveError {
+    /// Whether all would be well in another place.
+    pub fn is_of_place(&self) -> bool {
+        !matches!(self, Self::Extension(_) | Self::IsFolder(_) | Self::Same(..))
+    }
 }
 
 /// Makes missing folders and tries whether a file can be written there, so that a long render can't end in a refusal.

@@ -11,7 +11,7 @@ use crate::parallel;
 #[derive(Debug, Default)]
 pub struct Outputs {
     files: Vec<Output>,
-    /// By the files' names, those of the report left out.
+    /// What writing each picture took, by the name of its file.
     seconds: Vec<(String, f64)>,
 }
 

@@ -56,7 +56,7 @@ pub fn record_reset(recording: &mut Recording, pixels: u32) {
     recording.zero("counters", size_of::<FilmCounters>() as u64);
 }
 
-/// Records that what the film counts begins anew, its pixels not.
+/// Records that the film counts rays and bad samples anew, and keeps its pixels.
 pub fn record_recount(recording: &mut Recording) {
     recording.zero("counters", size_of::<FilmCounters>() as u64);
 }

@@ -19,6 +19,7 @@ fn the_others_are_written_and_each_failure_is_told() {
     assert_eq!(report["outputs"], serde_json::json!(["x.png", "y.exr"]));
     assert_eq!(text.matches("error:").count(), 2, "{text}");
     assert!(text.contains("taken.exr: is a folder") && text.contains("a.obj") && text.contains("help:"), "{text}");
+    assert!(text.contains("choose another place with -o FILE"), "{text}");
     assert_eq!(names(folder.path()), ["a.mtl", "a.obj", "a.ron", "taken.exr", "x.png", "y.exr"]);
 }
 

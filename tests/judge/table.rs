@@ -36,6 +36,15 @@ const fn change(module: &'static str, text: &'static str, replacement: &'static 
     Change { module, text, replacement, places: 1 }
 }
 
+const fn change_all(
+    module: &'static str,
+    text: &'static str,
+    replacement: &'static str,
+    places: usize,
+) -> Change<'static> {
+    Change { module, text, replacement, places }
+}
+
 const fn edit(name: &'static str, changes: &'static [Change<'static>]) -> Edit {
     Edit { name, gross: false, changes }
 }
@@ -60,8 +69,8 @@ const SURVIVAL: &str = "largest_of(most) * (*state).eta_scale";
 pub const WRONG: &[Edit] = &[
     gross("half of diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.5 * INV_PI * cos_theta)")]),
     edit("1 % less diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.99 * INV_PI * cos_theta)")]),
-    edit("half of the light that is sampled", &[change(SHADOW, "drawn.radiance *", "0.5 * drawn.radiance *")]),
-    edit("1 % more of it", &[change(SHADOW, "drawn.radiance *", "1.01 * drawn.radiance *")]),
+    edit("half of the light that is sampled", &[change_all(SHADOW, "drawn.radiance *", "0.5 * drawn.radiance *", 3)]),
+    edit("1 % more of it", &[change_all(SHADOW, "drawn.radiance *", "1.01 * drawn.radiance *", 3)]),
     edit("no weight of light that is sampled", &[change(SHADOW, SAMPLED, "var weight = 1.0;")]),
     edit("no weight of light that is found", &[change(PATH, FOUND, "light *= 1.0;")]),
     edit("weights that do not add up to 1", &[change(LIGHT, "1.0 + ratio * ratio", "1.0 + 0.5 * ratio * ratio")]),
@@ -69,10 +78,7 @@ pub const WRONG: &[Edit] = &[
     edit("a diffuse pdf 1 % too low", &[change(LAMBERT, "return INV_PI *", "return 0.99 * INV_PI *")]),
     gross("the wrong side", &[change(SURFACE, "select(unit, -unit, back_face)", "select(-unit, unit, back_face)")]),
     edit("roulette without its due", &[change(PATH, "(*state).throughput /= survival;", "")]),
-    edit(
-        "1 % more after each bounce",
-        &[change(PATH, "(*state).throughput /= survival", "(*state).throughput /= 0.99 * survival")],
-    ),
+    edit("1 % more after each bounce", &[change_all(PATH, "/= survival", "/= 0.99 * survival", 2)]),
     edit("paths of three segments", &[change(PATH, "1u < params.max_depth", "1u < min(3u, params.max_depth)")]),
     edit("the light's cosine forgotten", &[change(CONNECT, "(t * t / cos_light)", "(t * t)")]),
     edit("1 % of the distance", &[change(CONNECT, "(t * t / cos_light)", "(1.01 * t * t / cos_light)")]),
@@ -106,10 +112,7 @@ pub const RIGHT: &[Edit] = &[
         "weights by the third power",
         &[change(LIGHT, "1e18", "1e12"), change(LIGHT, "1.0 + ratio * ratio", "1.0 + ratio * ratio * ratio")],
     ),
-    edit(
-        "independent random numbers",
-        &[Change { module: "lib/rng", text: "sobol)", replacement: "never)", places: 5 }],
-    ),
+    edit("independent random numbers", &[change_all("lib/rng", "sobol)", "never)", 5)]),
     edit("later roulette", &[change(PATH, ">= ROULETTE_BOUNCE", ">= ROULETTE_BOUNCE + 8u")]),
     edit("earlier roulette", &[change(PATH, ".bounce >= ROULETTE_BOUNCE", ".bounce + 2u >= ROULETTE_BOUNCE")]),
     edit("milder roulette", &[change(PATH, SURVIVAL, "0.5 + 0.5 * largest_of(most) * (*state).eta_scale")]),

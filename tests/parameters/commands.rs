@@ -29,7 +29,7 @@ fn folder(files: &[(&str, &str)]) -> TempDir {
         let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
         let edited = pairs.iter().fold(text, |text, (from, to)| {
             assert!(text.contains(from), "{file} has no `{from}`");
-            text.replacen(from, to, 1)
+            text.replace(from, to)
         });
         write(file, &edited);
     };

@@ -17,7 +17,7 @@ use std::time::Instant;
 use serde::Serialize;
 
 use super::Failure;
-use crate::app::shared::output::{self, Unwritten};
+use crate::app::shared::output::{self, FOLDER_FLAG, Unwritten};
 use crate::engine::EngineError;
 use crate::gpu::{GpuError, Runtime};
 use crate::image::SaveError;
@@ -50,7 +50,7 @@ pub enum BenchError {
     #[diagnostic(transparent)]
     Engine(#[from] EngineError),
     #[error(transparent)]
-    #[diagnostic(transparent)]
+    #[diagnostic(help("choose another folder with {FOLDER_FLAG}"))]
     Save(#[from] SaveError),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: std::io::Error },

@@ -6,7 +6,6 @@ use serde_json::{Value, json};
 
 use crate::app::shared::failure::show;
 use crate::app::shared::output;
-use crate::app::shared::printable::printable_name;
 use crate::app::variants::find::find as find_variants;
 use crate::app::{Exit, Failure};
 use crate::scene::{self, Audit, Audited, Diagnostic, Fate, Severity, Verdict, audits};
@@ -96,7 +95,7 @@ fn rendered(audit: &Audit) -> String {
 /// The name of a material, what it is, what it reflects, and by which policies.
 fn heading(audited: &Audited) -> String {
     let Audited { name, look, energy: [written, rendered], .. } = audited;
-    let name = printable_name(name);
+    let name = scene::printable_name(name);
     let mut text = format!("\n  {name}: {}, {}\n", look.kind, look.reason);
     let after = if written == rendered { String::new() } else { format!(", rendered {rendered:.3}") };
     text += &format!("    kd + ks {written:.3}{after}\n");

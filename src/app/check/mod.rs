@@ -12,7 +12,6 @@ use clap::Args;
 use self::asked::refused;
 use crate::app::shared::failure::show;
 use crate::app::shared::output;
-use crate::app::shared::printable::printable_name;
 use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
 use crate::passes::table::TABLE;
@@ -122,7 +121,7 @@ fn rendered(table: &scene::Table) -> String {
     let kinds = width(&mut table.rows.iter().map(|row| row.look.kind.len()));
     let mut text = format!("\n{}\n", table.file.display());
     for scene::Row { name, look } in &table.rows {
-        text += &format!("  {:names$}  {:kinds$}  {}\n", printable_name(name), look.kind, look.reason);
+        text += &format!("  {:names$}  {:kinds$}  {}\n", scene::printable_name(name), look.kind, look.reason);
     }
     text
 }

@@ -11,7 +11,7 @@ pub use arguments::CompareArguments;
 use arguments::Heat;
 use comparison::{Comparison, HAS_FLIP, LEAST_SIDE, Side};
 
-use crate::app::shared::output;
+use crate::app::shared::output::{self, Unplaced};
 use crate::app::{Exit, Failure};
 use crate::components::Crop;
 use crate::image::srgb::srgb_byte;
@@ -60,7 +60,7 @@ pub fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
         false => output::print(&report::text(&comparison))?,
     }
     exceeded.iter().for_each(|line| output::note(line));
-    heat_map?;
+    heat_map.map_err(Unplaced::by(output::FILE_FLAG)).map_err(Failure::of)?;
     Ok(if exceeded.is_empty() { Exit::Done } else { Exit::Differs })
 }
 

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::edit::{Edit, Lint, State, age, now};
 use super::folder::Kept;
 use crate::app::shared::describe::quoted;
-use crate::app::shared::printable::printable;
+use crate::scene::printable;
 
 /// All of them, the newest first.
 pub fn all(edits: &[Kept], folder: &Path, as_json: bool) -> String {

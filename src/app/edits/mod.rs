@@ -13,9 +13,9 @@ pub use edit::{Edit, Kind, Lint, State, Verdict, age, now};
 pub use folder::{EditsFolder, Kept, Listed, MOST, PLACE};
 
 use crate::app::shared::output;
-use crate::app::shared::printable::printable;
 use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
+use crate::scene::printable;
 
 #[derive(Debug, Args)]
 #[command(after_help = MORE)]

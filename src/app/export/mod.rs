@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::app::shared::output;
+use crate::app::shared::output::{self, Unplaced};
 use crate::app::shared::scene::SceneFlags;
 use crate::app::shared::settings::SettingFlags;
 use crate::app::shared::values::{MORE, define};
@@ -43,9 +43,11 @@ pub fn run(arguments: &ExportArguments) -> Result<Exit, Failure> {
         define: arguments.define.clone(),
         shaders: None,
     };
-    mitsuba::prepare(&arguments.mitsuba)?;
+    let refused = |error| Failure::of(Unplaced::by("--mitsuba DIR")(error));
+    mitsuba::prepare(&arguments.mitsuba).map_err(refused)?;
     let opened = flags.open(&arguments.scene, arguments.quiet)?;
-    let exported = mitsuba::export(&opened.description, scene::audit(&opened.path), &arguments.mitsuba)?;
+    let exported = mitsuba::export(&opened.description, scene::audit(&opened.path), &arguments.mitsuba);
+    let exported = exported.map_err(refused)?;
     output::print(&told(&exported))?;
     Ok(Exit::Done)
 }
@@ -53,13 +55,9 @@ pub fn run(arguments: &ExportArguments) -> Result<Exit, Failure> {
 /// What was written, and how it differs.
 pub fn told(exported: &Exported) -> String {
     let Exported { scene, meshes, lights, notes } = exported;
-    let count = |number: &usize, what: &str| format!("{number} {what}{}", if *number == 1 { "" } else { "s" });
-    let mut text = format!(
-        "{}: {}, {}\n",
-        scene.display(),
-        count(meshes, "mesh").replace("meshs", "meshes"),
-        count(lights, "light")
-    );
+    let count = |number: &usize, one: &str, many: &str| format!("{number} {}", if *number == 1 { one } else { many });
+    let (meshes, lights) = (count(meshes, "mesh", "meshes"), count(lights, "light", "lights"));
+    let mut text = format!("{}: {meshes}, {lights}\n", scene.display());
     let mut list = |head: &str, weight: Weight| {
         let lines: String =
             notes.iter().filter(|note| note.weight == weight).map(|note| format!("  {note}\n")).collect();

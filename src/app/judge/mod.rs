@@ -161,8 +161,7 @@ fn tell(summary: &JudgeSummary, radiance: &[[f32; 3]], outputs: &mut Outputs) ->
     let metadata = summary.metadata();
     let report = &serde_json::Value::Null;
     let picture = Picture { size: film.size, window, linear: radiance, display: &display, metadata: &metadata, report };
-    let failures = outputs.write(&picture, |written| summary.json(&written.names()));
-    failures.iter().for_each(|failure| show(failure));
+    let whole = output::all_written(outputs.write(&picture, |written| summary.json(&written.names())));
     let names = outputs.names();
     if !arguments.quiet {
         summary.warnings().iter().for_each(|line| output::note(line));
@@ -171,7 +170,7 @@ fn tell(summary: &JudgeSummary, radiance: &[[f32; 3]], outputs: &mut Outputs) ->
         true => output::print(&format!("{}\n", summary.json(&names)))?,
         false => output::print(&summary.text(&names))?,
     }
-    Ok(failures.is_empty())
+    Ok(whole)
 }
 
 impl From<CommitError> for Failure {

@@ -10,7 +10,6 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::app::shared::compiling::watch_compiling;
-use crate::app::shared::failure::show;
 use crate::app::shared::interrupt::{Interrupt, leave_running};
 use crate::app::shared::opening::Opening;
 use crate::app::shared::output;
@@ -111,8 +110,7 @@ fn save_and_report(summary: &RenderSummary, outputs: &mut Outputs) -> Result<boo
         metadata: &metadata,
         report: &serde_json::Value::Null,
     };
-    let failures = outputs.write(&picture, |written| summary.json(written));
-    failures.iter().for_each(|failure| show(failure));
+    let whole = output::all_written(outputs.write(&picture, |written| summary.json(written)));
     let arguments = summary.arguments;
     if summary.report.bad_samples > 0 && !arguments.quiet {
         output::note(&format!(
@@ -128,7 +126,7 @@ fn save_and_report(summary: &RenderSummary, outputs: &mut Outputs) -> Result<boo
         true => output::print(&format!("{}\n", summary.json(outputs)))?,
         false => output::print(&summary.text(outputs, arguments.stats))?,
     }
-    Ok(failures.is_empty())
+    Ok(whole)
 }
 
 /// What a render needs while it traces.

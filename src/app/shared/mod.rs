@@ -14,7 +14,6 @@ pub(super) mod output;
 pub(super) mod parameters;
 pub(super) mod pictures;
 pub(super) mod plot;
-pub(super) mod printable;
 pub mod progress;
 pub mod quality;
 pub mod scene;

@@ -14,7 +14,7 @@ pub const MORE: &str = "More: `lucerna help COMMAND` says what values mean; `luc
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0    done
-  1    wrong input, an error on the way, a file that could not be written, or (`bench --against`) less efficiency
+  1    wrong input, an error on the way, a file that could not be written, (`bench --against`) less efficiency, or (`bench peers`) no verdict
   2    the command line means nothing
   3    no graphics adapter that can be used: see `lucerna doctor`
   4    compared pictures differ by more than a --max flag allows

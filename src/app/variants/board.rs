@@ -11,6 +11,7 @@ use super::jobs::Board;
 use super::record::{Answer, AxisRecord, Record, State};
 use super::survey::{Broken, Found};
 use crate::app::shared::failure::show;
+use crate::app::shared::output::{FOLDER_FLAG, Unplaced};
 use crate::image::{SaveError, file};
 use crate::scene::variants::{Axis, Family};
 
@@ -95,7 +96,7 @@ impl Answers {
         let written = write(&answer, &self.folder);
         self.torn.store(written.is_err(), Ordering::Relaxed);
         if let Err(error) = written {
-            show(&error);
+            show(&Unplaced::by(FOLDER_FLAG)(error));
         }
         let mut state = self.lock();
         state.written = Instant::now();
@@ -127,7 +128,7 @@ impl Board for Answers {
     }
 
     fn unwritten(&self, error: SaveError) {
-        show(&error);
+        show(&Unplaced::by(FOLDER_FLAG)(error));
         self.unwritten.store(true, Ordering::Relaxed);
     }
 }

@@ -5,6 +5,7 @@ use glam::Vec3;
 use super::material::MtlMaterial;
 use super::texture_map::TextureMap;
 use crate::components::{Lobe, Passage};
+use crate::scene::printable::printable_name;
 
 /// A material in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,7 +110,7 @@ fn is_on(map: &Option<TextureMap>) -> bool {
 /// A map's file, without its folder.
 fn file(map: &TextureMap) -> String {
     let name = map.file.file_name().unwrap_or(map.file.as_os_str());
-    name.to_string_lossy().chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+    printable_name(&name.to_string_lossy())
 }
 
 /// A number to three places.

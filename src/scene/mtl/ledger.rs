@@ -7,6 +7,7 @@ use super::material::MtlMaterial;
 use crate::scene::diagnostic::{Diagnostic, Tally};
 use crate::scene::keys::Key;
 use crate::scene::lines::Line;
+use crate::scene::printable::printable_name;
 
 /// Statements that are kept of one library.
 const MOST: usize = 100_000;
@@ -100,7 +101,7 @@ impl Ledger {
             list.iter_mut().filter(|earlier| earlier.what == what).for_each(|s| s.superseded = Some(place.line));
         }
         let words: Vec<&str> = std::iter::once(word).chain(rest.split_whitespace()).collect();
-        let text: String = words.join(" ").chars().take(SHOWN).map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let text = printable_name(&words.join(" ").chars().take(SHOWN).collect::<String>());
         list.push(Statement { text, what, place, taken, said, superseded: None });
     }
 

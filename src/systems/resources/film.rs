@@ -18,7 +18,7 @@ pub struct FilmProgress {
     /// Of these pixels, the rows that have one more, from the top; zero between two sweeps.
     pub sweep: Sweep,
     pub rows: u32,
-    /// Samples that are replaced by the first of the film itself: every pixel has one.
+    /// Every pixel has a sample of a preview, which its first sample of the film replaces.
     pub previewed: bool,
     /// It is left at what it has.
     pub rests: bool,
@@ -32,7 +32,7 @@ pub struct Sweep {
     pub pixels: Lattice,
     /// The level whose corners have that sample afterwards; 0 is all pixels.
     pub level: u32,
-    /// The sample is only for who waits: pixels that are apart can't use each other's paths, so it is none of the film that reuses them.
+    /// Its samples are a preview: pixels that are apart can't use each other's paths, so a film that reuses paths drops them.
     pub preview: bool,
 }
 

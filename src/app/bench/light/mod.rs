@@ -6,35 +6,33 @@
 pub mod against;
 mod arguments;
 pub mod configuration;
+pub mod files;
 pub mod key;
 pub mod measure;
 pub mod plot;
 mod read;
 pub mod record;
 pub mod reference;
+pub mod scene;
 pub mod tables;
 pub mod winner;
 
 use std::sync::Arc;
-use std::time::{SystemTime, UNIX_EPOCH};
 
 pub use arguments::LightArguments;
 
 use super::BenchError;
-use crate::app::shared::failure::show;
 use crate::app::shared::interrupt::Interrupt;
 use crate::app::shared::key::scene_key;
 use crate::app::shared::output;
-use crate::app::shared::parameters;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::tracer::{Monitor, Tracer};
 use crate::app::{Exit, Failure};
 use crate::gpu::Gpu;
-use crate::image::file;
-use crate::scene::{self, SceneDescription};
+use crate::scene::SceneDescription;
 use crate::shader::Library;
 use arguments::ReferenceBy;
-use record::{Bench, Machine, SceneRecord};
+use record::{Bench, SceneRecord};
 use reference::{Reference, Shelf};
 
 /// The files that are written, beside the plots.
@@ -52,17 +50,14 @@ struct Subject {
 pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let earlier = arguments.against.as_deref().map(against::read).transpose()?;
-    // What is measured for an hour is not to end in a refusal.
-    for name in FILES {
-        file::prepare(&arguments.out.join(name))?;
-    }
+    files::prepare(&arguments.out, &FILES)?;
     let library = Library::shipped();
     let mut subjects = Vec::new();
     for name in arguments.scenes()? {
         subjects.push(subject(&name, arguments, &library)?);
     }
     let gpu = Gpu::open()?;
-    let mut bench = empty(&gpu, arguments);
+    let mut bench = Bench::new(&gpu, arguments.seeds, arguments.spp);
     let goal = Goal { samples: Some(samples(&subjects, arguments)), seconds: None, error: None };
     let mut monitor = Monitor { meter: Meter::new("bench", goal, arguments.quiet), interrupt };
     let mut fault = None;
@@ -85,18 +80,8 @@ pub fn run(arguments: &LightArguments) -> Result<Exit, Failure> {
 
 /// Reads a scene, and finds its reference.
 fn subject(name: &str, arguments: &LightArguments, library: &Library) -> Result<Subject, Failure> {
-    let loaded = scene::load(&scene::find(name)?, &[])?;
-    if !arguments.quiet {
-        loaded.warnings.iter().for_each(|warning| show(warning));
-    }
-    let mut description = loaded.description;
-    parameters::check(&description.shader, &loaded.shader_places, library)?;
-    if let Some(size) = arguments.size {
-        description.film.size = size;
-        // A crop in pixels is one of the scene's own size.
-        description.film.crop = None;
-    }
-    description.render.max_depth = arguments.max_depth.unwrap_or(description.render.max_depth);
+    let path = crate::scene::find(name)?;
+    let description = scene::read(&path, (arguments.size, arguments.max_depth), library, arguments.quiet)?;
     let key = key::reference_key(&description, library)?;
     let key = if arguments.reference == ReferenceBy::Cpu { format!("cpu-{key}") } else { key };
     let shelf = Shelf::new(&arguments.out, &description.name, key);
@@ -106,34 +91,6 @@ fn subject(name: &str, arguments: &LightArguments, library: &Library) -> Result<
         (found, _) => found,
     };
     Ok(Subject { description, shelf, reference })
-}
-
-fn empty(gpu: &Gpu, arguments: &LightArguments) -> Bench {
-    Bench {
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        made: now(),
-        interrupted: false,
-        machine: machine(gpu),
-        seeds: arguments.seeds,
-        spp: arguments.spp,
-        scenes: Vec::new(),
-    }
-}
-
-/// Seconds since 1970.
-pub fn now() -> u64 {
-    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs())
-}
-
-/// What this runs on.
-pub fn machine(gpu: &Gpu) -> Machine {
-    Machine {
-        adapter: gpu.name(),
-        software: gpu.is_software(),
-        os: std::env::consts::OS.to_owned(),
-        architecture: std::env::consts::ARCH.to_owned(),
-        threads: std::thread::available_parallelism().map_or(1, usize::from),
-    }
 }
 
 /// All samples of all films, references that are missing included.
@@ -206,24 +163,7 @@ fn tell(bench: &Bench, arguments: &LightArguments, earlier: Option<&Bench>) -> R
     if let Some(verdict) = &verdict {
         table += &format!("\n{}", verdict.markdown());
     }
-    let mut files: Vec<(String, String)> =
-        FILES.map(str::to_owned).into_iter().zip([json.clone(), tables::csv(bench), table.clone()]).collect();
-    for scene in &bench.scenes {
-        for axis in [plot::Axis::Seconds, plot::Axis::Samples] {
-            files.extend(plot::svg(bench, scene, axis).map(|svg| (plot::file_name(scene, axis), svg)));
-        }
-    }
-    let (mut names, mut whole) = (String::new(), true);
-    for (name, text) in &files {
-        let path = arguments.out.join(name);
-        match file::write_text(&path, text) {
-            Ok(()) => names += &format!("{}\n", path.display()),
-            Err(failure) => {
-                show(&failure);
-                whole = false;
-            }
-        }
-    }
+    let (names, whole) = files::write(&arguments.out, &FILES, &[&json, &tables::csv(bench), &table], bench);
     output::print(&if arguments.json { json } else { format!("{table}\n{names}\n{}", winner::sentences(bench)) })?;
     if let Some(verdict) = verdict.as_ref().filter(|_| arguments.json && !arguments.quiet) {
         output::note(&verdict.markdown());

@@ -1,7 +1,10 @@
 //! What was measured, and what follows from it: the content of `bench.json`.
 
+use std::time::{SystemTime, UNIX_EPOCH};
+
 use serde::{Deserialize, Serialize};
 
+use crate::gpu::Gpu;
 use crate::stats::summary::{Crossing, Slope, Summary, crossing, log_log_slope};
 
 /// The relMSE whose time to reach is reported.
@@ -27,6 +30,21 @@ pub struct Bench {
     pub scenes: Vec<SceneRecord>,
 }
 
+impl Bench {
+    /// One that begins now, without scenes.
+    pub fn new(gpu: &Gpu, seeds: u32, spp: u32) -> Self {
+        Self {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            made: SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs()),
+            interrupted: false,
+            machine: Machine::of(gpu),
+            seeds,
+            spp,
+            scenes: Vec::new(),
+        }
+    }
+}
+
 /// What it ran on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Machine {
@@ -38,6 +56,19 @@ pub struct Machine {
     pub architecture: String,
     /// Threads the processor runs at once.
     pub threads: usize,
+}
+
+impl Machine {
+    /// This one, with the device that is open.
+    pub fn of(gpu: &Gpu) -> Self {
+        Self {
+            adapter: gpu.name(),
+            software: gpu.is_software(),
+            os: std::env::consts::OS.to_owned(),
+            architecture: std::env::consts::ARCH.to_owned(),
+            threads: std::thread::available_parallelism().map_or(1, usize::from),
+        }
+    }
 }
 
 /// One scene.

@@ -79,9 +79,8 @@ impl Answer {
 }
 
 impl Peer {
-    /// Starts it on a scene's file, with pictures of `size`. Its script is beside that, and its pictures are in
-    /// `folder`. None if a signal came before it was
-    /// ready.
+    /// Starts it on a scene's file, with pictures of `size`. Its script is beside that, and its pictures are in `folder`. None if a signal
+    /// came before it was ready.
     pub fn start(
         python: &Python,
         variant: &str,

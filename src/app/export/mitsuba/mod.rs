@@ -8,29 +8,26 @@ mod light;
 mod mesh;
 mod note;
 mod picture;
+mod placed;
 mod surface;
+mod whole;
 mod xml;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use glam::DVec3;
-
-use crate::components::{Passage, TextureFilter};
 use crate::image::{SaveError, file};
-use crate::scene::{Audit, MtlMaterial, SceneDescription};
-use mesh::Mesh;
+use crate::scene::{Audit, SceneDescription};
 use note::Notes;
 pub use note::{Note, Weight};
 use picture::Pictures;
+use placed::{PlacedMesh, around, placed_meshes};
 use surface::Surfaces;
+use whole::say_of_whole;
 use xml::Element;
 
 /// The scene's file.
 const FILE: &str = "scene.xml";
-
-/// How far the two sides of a lamp that shines both ways are apart, by the greatest coordinate of it.
-const APART: f64 = 3e-5;
 
 /// What was written.
 #[derive(Clone, Debug)]
@@ -40,13 +37,6 @@ pub struct Exported {
     pub lights: usize,
     /// What is otherwise than in Lucerna, the gravest first.
     pub notes: Vec<Note>,
-}
-
-impl Exported {
-    /// Whether nothing differs that could be seen.
-    pub fn is_the_same(&self) -> bool {
-        self.notes.iter().all(|note| note.weight == Weight::Slight)
-    }
 }
 
 /// Tries whether a folder can be written to.
@@ -64,19 +54,42 @@ pub fn export(scene: &SceneDescription, audit: Audit, folder: &Path) -> Result<E
     root = root.with(camera::integrator(scene.render.max_depth));
     root = root.with(camera::sensor(scene, radius, &mut notes));
     let mut surfaces = Surfaces { scene, pictures: &mut pictures, notes: &mut notes };
+    root = with_meshes(root, &meshes, &mut surfaces, folder)?;
+    for (name, light) in &scene.lights {
+        root = root.with(light::point(name, light, &mut notes));
+    }
+    if let Some(environment) = &scene.environment {
+        let all = light::environment(environment, (centre, radius), &mut pictures, &mut notes)?;
+        root = all.into_iter().fold(root, Element::with);
+    }
+    say_of_whole(scene, &meshes, &mut notes);
+    let path = folder.join(FILE);
+    file::write_text(&path, &root.document())?;
+    let lamps = meshes.iter().filter(|placed| placed.shines()).count();
+    let lights = lamps + scene.lights.len() + usize::from(scene.environment.is_some());
+    let mut list = notes.list;
+    list.sort_by_key(|note| std::cmp::Reverse(note.weight));
+    Ok(Exported { scene: path, meshes: meshes.len(), lights, notes: list })
+}
+
+/// Adds the materials that are used, and the meshes, whose files are written into the scene's folder.
+fn with_meshes(
+    mut root: Element,
+    meshes: &[PlacedMesh],
+    surfaces: &mut Surfaces,
+    folder: &Path,
+) -> Result<Element, SaveError> {
+    let materials = &surfaces.scene.materials;
     let ids: BTreeMap<&str, String> =
-        scene.materials.keys().enumerate().map(|(i, name)| (name.as_str(), format!("material-{i}"))).collect();
+        materials.keys().enumerate().map(|(i, name)| (name.as_str(), format!("material-{i}"))).collect();
     let used = |name: &String| meshes.iter().any(|placed| placed.material == name);
-    for (name, material) in scene.materials.iter().filter(|(name, _)| used(name)) {
+    for (name, material) in materials.iter().filter(|(name, _)| used(name)) {
         root = root.with(surfaces.bsdf(&ids[name.as_str()], name, material)?);
     }
-    let mut lights = 0;
     for (index, placed) in meshes.iter().enumerate() {
-        let stem = format!("meshes/{index}");
         let emitter = surfaces.radiance(placed.numbers)?;
-        lights += usize::from(emitter.is_some());
-        for (mesh, side) in sides(placed, emitter.is_some()) {
-            let name = format!("{stem}{side}.ply");
+        for (mesh, side) in placed.sides() {
+            let name = format!("meshes/{index}{side}.ply");
             file::write(&folder.join(&name), |out| mesh.write(out))?;
             let shape = Element::plugin("shape", "ply").attribute("id", format!("mesh-{index}{side}"));
             let shape = shape.string("filename", &name).boolean("face_normals", !mesh.has_normals);
@@ -85,108 +98,5 @@ pub fn export(scene: &SceneDescription, audit: Audit, folder: &Path) -> Result<E
             root = root.with(emitter.iter().fold(shape, |shape, emitter| shape.with(emitter.clone())));
         }
     }
-    for (name, light) in &scene.lights {
-        root = root.with(light::point(name, light, &mut notes));
-        lights += 1;
-    }
-    if let Some(environment) = &scene.environment {
-        let all = light::environment(environment, (centre, radius), &mut pictures, &mut notes)?;
-        lights += 1;
-        root = all.into_iter().fold(root, Element::with);
-    }
-    say_of_all(scene, &meshes, &mut notes);
-    let path = folder.join(FILE);
-    file::write_text(&path, &root.document())?;
-    let mut list = notes.list;
-    list.sort_by_key(|note| std::cmp::Reverse(note.weight));
-    Ok(Exported { scene: path, meshes: meshes.len(), lights, notes: list })
-}
-
-/// A mesh in world space, and what it is of.
-struct PlacedMesh<'a> {
-    name: &'a String,
-    material: &'a String,
-    numbers: &'a MtlMaterial,
-    mesh: Mesh,
-}
-
-/// All meshes that are seen. Those that emit light are flat: Mitsuba would have them shine by their normals.
-fn placed_meshes(scene: &SceneDescription) -> Vec<PlacedMesh<'_>> {
-    let seen = scene.meshes.iter().filter_map(|(name, entry)| {
-        let numbers = scene.materials.get(&entry.material)?;
-        let material = numbers.material();
-        if material.is_invisible() || entry.geometry.triangles.is_empty() {
-            return None;
-        }
-        let mesh = Mesh::new(&entry.geometry, &entry.transform.0, material.emission == glam::Vec3::ZERO);
-        Some(PlacedMesh { name, material: &entry.material, numbers, mesh })
-    });
-    seen.collect()
-}
-
-/// A mesh, and where it shines to both sides another one for its back: an emitter of Mitsuba's shines to the front alone.
-fn sides<'a>(placed: &'a PlacedMesh, emits: bool) -> Vec<(std::borrow::Cow<'a, Mesh>, &'static str)> {
-    use std::borrow::Cow;
-    let front = (Cow::Borrowed(&placed.mesh), "");
-    if !emits || placed.numbers.one_sided {
-        return vec![front];
-    }
-    let far = placed.mesh.positions().fold(0.0f64, |far, p| far.max(p.abs().max_element()));
-    vec![front, (Cow::Owned(placed.mesh.back(APART * far)), "-back")]
-}
-
-/// A point and a radius around it that has all meshes, point lights and the camera.
-fn around(scene: &SceneDescription, meshes: &[PlacedMesh]) -> (DVec3, f64) {
-    let camera = scene.cameras.get(&scene.active).map(|camera| camera.position);
-    let points = || {
-        let corners = meshes.iter().flat_map(|placed| placed.mesh.positions());
-        corners.chain(scene.lights.values().map(|light| light.position)).chain(camera)
-    };
-    let low = points().fold(DVec3::INFINITY, DVec3::min);
-    let high = points().fold(DVec3::NEG_INFINITY, DVec3::max);
-    if low.is_finite() { (0.5 * (low + high), 0.5 * (high - low).length()) } else { (DVec3::ZERO, 1.0) }
-}
-
-/// What differs of no material alone.
-fn say_of_all(scene: &SceneDescription, meshes: &[PlacedMesh], notes: &mut Notes) {
-    let is_passed = |numbers: &MtlMaterial| {
-        let map = numbers.maps.d.as_ref().is_some_and(|map| !map.off);
-        map || matches!(numbers.passage(), Passage::Pane(_) | Passage::SeeThrough(_))
-    };
-    let mut lamps = meshes.iter().filter(|placed| placed.numbers.ke != glam::Vec3::ZERO);
-    if let Some(lamp) = lamps.find(|lamp| !lamp.numbers.one_sided) {
-        let text = format!(
-            "lamps that shine to both sides, such as {}, are two sheets back to back: half of what Mitsuba draws of them is of the side that is not seen, which costs it efficiency; `one_sided: true` spares that",
-            lamp.name
-        );
-        notes.say(Weight::Slight, &text);
-    }
-    let masked = meshes.iter().find(|placed| {
-        placed.numbers.ke != glam::Vec3::ZERO && placed.numbers.maps.d.as_ref().is_some_and(|map| !map.off)
-    });
-    if let Some(placed) = masked {
-        notes.say_of(placed.material, "map_d", "what shines is not cut out by its map of opacity".to_owned());
-    }
-    if !scene.lights.is_empty() && meshes.iter().any(|placed| is_passed(placed.numbers)) {
-        notes.say(
-            Weight::Another,
-            "light of points goes through no pane and no see-through surface: Mitsuba's `path` finds none of it there",
-        );
-    }
-    if meshes.iter().any(|placed| placed.mesh.has_normals) {
-        notes.say(
-            Weight::Slight,
-            "where a normal leans off its triangle, Lucerna's triangles mirror what would run into them, and Mitsuba's lose it",
-        );
-    }
-    if !scene.textures.is_empty() && scene.render.texture_filter == TextureFilter::Footprint {
-        notes.say(
-            Weight::Slight,
-            "Mitsuba looks textures up at points: compare with pictures of `--texture-filter exact`",
-        );
-    }
-    let clamped = |wrap: [crate::components::Wrap; 2]| wrap[0] != wrap[1];
-    if scene.textures.values().any(|texture| clamped(texture.wrap)) {
-        notes.say(Weight::Another, "a texture that is clamped along one axis alone is repeated along both");
-    }
+    Ok(root)
 }

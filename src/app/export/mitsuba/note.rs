@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::scene::{Audit, Diagnostic};
+use crate::scene::{Audit, Diagnostic, printable_name};
 
 /// How much a picture of Mitsuba's differs for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,7 +25,7 @@ pub struct Note {
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Some((name, place)) = &self.material else { return f.write_str(&self.text) };
-        let name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let name = printable_name(name);
         match place {
             Some((file, line)) => write!(f, "{file}:{line}: {name}: {}", self.text),
             None => write!(f, "{name}: {}", self.text),

@@ -1,7 +1,8 @@
 //! Takes the statements of an OBJ file in their order: reports what is wrong, and keeps what is right.
 //!
-//! Statements come line by line, or as the plain ones of a [`Piece`] that another thread has read: those need no message, whatever came
-//! before them, or say how it is known that they don't.
+//! Statements come line by line, or in pieces that other threads have read ([`take`]).
+
+mod take;
 
 use std::io::BufRead;
 use std::path::Path;
@@ -9,14 +10,15 @@ use std::path::Path;
 use glam::{DVec3, Vec2, Vec3};
 
 use super::faces::{Group, Grouping};
-use super::geometry::{Corners, Counts, FaceRun, Values};
+use super::geometry::{Corners, FaceRun, Values};
 use super::libraries::{MAX_LIBRARIES, Statement};
-use super::plain::{Event, Piece, PlainFaces};
 use super::statements::{Corner, KNOWN, MAX_CORNERS, corner, is_beyond_us, numbers, position, unit, usable};
 use crate::scene::diagnostic::{Diagnostic, Diagnostics, Severity, Tally};
 use crate::scene::lines::{Line, Lines, unquoted, words};
 use crate::scene::model::DEFAULT_MATERIAL;
 use crate::scene::suggest::did_you_mean;
+
+pub use take::NotPlain;
 
 /// Vertices, normals or texture coordinates that a file may have, and triangles that its faces may come to. No device binds
 /// more than 2 GiB, which is 44 million triangles of 48 bytes: what is refused here could not be rendered.
@@ -35,10 +37,6 @@ pub struct Scanned {
     /// The lists that runs of faces are of.
     pub corners: Vec<Corners>,
 }
-
-/// What can't be told of a piece by itself, or in bulk: the file has to be read line by line.
-#[derive(Clone, Copy, Debug)]
-pub struct NotPlain;
 
 /// Takes statements.
 pub struct Scanner<'f> {
@@ -113,20 +111,6 @@ impl<'f> Scanner<'f> {
         self.finish()
     }
 
-    /// Takes the pieces of a whole file, in their order. `line_at` reads the line at a byte of the file, whose number is one more than that
-    /// given.
-    pub fn take(
-        mut self,
-        pieces: impl IntoIterator<Item = Piece>,
-        line_at: impl Fn(u64, u32) -> Option<Line>,
-    ) -> Result<Scanned, NotPlain> {
-        for piece in pieces {
-            self.take_piece(piece, &line_at)?;
-        }
-        // Why there is none, is told by who reads line by line.
-        if self.triangles == 0 { Err(NotPlain) } else { Ok(self.finish()) }
-    }
-
     fn finish(self) -> Scanned {
         Scanned {
             messages: self.tally.finish(),
@@ -134,62 +118,6 @@ impl<'f> Scanner<'f> {
             libraries: self.libraries,
             values: self.values,
             corners: self.lists,
-        }
-    }
-
-    fn take_piece(&mut self, piece: Piece, line_at: &impl Fn(u64, u32) -> Option<Line>) -> Result<(), NotPlain> {
-        let Piece { values, corners, events, odd, lines, offset } = piece;
-        let source = self.lists.len() as u32;
-        self.lists.push(corners);
-        let mut line = Line::default();
-        let (mut at, mut faces, mut starts, mut text) = ([0; 3], 0, [0; 3], odd.as_slice());
-        for event in events {
-            match event {
-                Event::Values(counts) => at = self.take_values(&values, at, counts)?,
-                Event::Line { bytes, before } => {
-                    let (one, rest) = text.split_at(bytes as usize);
-                    text = rest;
-                    let mut reader = Lines::behind(one, self.file, self.lines + before);
-                    match reader.next(&mut line).map_err(|_| NotPlain)? {
-                        true => self.statement(&line).map_err(|_| NotPlain)?,
-                        false => return Err(NotPlain),
-                    }
-                }
-                Event::Faces(plain) => {
-                    let before = self.values.counts();
-                    if !plain.fits(before) {
-                        return Err(NotPlain);
-                    }
-                    self.count_triangles(plain.corners - 2 * plain.faces).ok_or(NotPlain)?;
-                    if self.has_to_tell(plain.normals) {
-                        let line = line_at(offset + plain.first, self.lines + plain.before).ok_or(NotPlain)?;
-                        let (key, _) = line.statement().ok_or(NotPlain)?;
-                        self.tell_of_face(&line, key, plain.normals);
-                    }
-                    let run =
-                        FaceRun { source, faces: faces..faces + plain.faces, starts, corners: plain.corners, before };
-                    faces = run.faces.end;
-                    let PlainFaces { corners, uvs, normals, .. } = plain;
-                    [true, uvs, normals].iter().zip(&mut starts).for_each(|(has, at)| *at += u32::from(*has) * corners);
-                    if !self.faces.add(run, uvs, normals) {
-                        return Err(NotPlain);
-                    }
-                }
-            }
-        }
-        self.lines += lines;
-        Ok(())
-    }
-
-    /// Takes the next values of a piece, from its `at` on. Returns what follows them.
-    fn take_values(&mut self, values: &Values, at: Counts, counts: Counts) -> Result<Counts, NotPlain> {
-        let [positions, uvs, normals] = [0, 1, 2].map(|kind| at[kind] as usize..(at[kind] + counts[kind]) as usize);
-        self.values.positions.extend_from_slice(&values.positions[positions]);
-        self.values.uvs.extend_from_slice(&values.uvs[uvs]);
-        self.values.normals.extend_from_slice(&values.normals[normals]);
-        match self.values.counts().iter().all(|count| *count <= MAX_COUNT) {
-            true => Ok([0, 1, 2].map(|kind| at[kind] + counts[kind])),
-            false => Err(NotPlain),
         }
     }
 
@@ -342,12 +270,6 @@ impl<'f> Scanner<'f> {
             });
         }
         self.tell_of_face(line, key, normals > 0);
-    }
-
-    /// Whether `tell_of_face` may have something to tell that was not told before.
-    fn has_to_tell(&self, normals: bool) -> bool {
-        !self.faces.has_material() && !self.tally.has_told("faces without material")
-            || self.smoothing && !normals && !self.tally.has_told("smoothing")
     }
 
     /// A face without material, and smoothing that nothing tells the shape of.
