@@ -11,6 +11,7 @@ use crate::app::shared::scene::SceneFlags;
 use crate::app::shared::settings::SettingFlags;
 use crate::app::shared::values::{MORE, define};
 use crate::app::{Exit, Failure};
+use crate::image::SaveError;
 use crate::scene::{self, Define};
 use mitsuba::{Exported, Weight};
 
@@ -43,11 +44,23 @@ pub fn run(arguments: &ExportArguments) -> Result<Exit, Failure> {
         define: arguments.define.clone(),
         shaders: None,
     };
-    mitsuba::prepare(&arguments.mitsuba)?;
+    let folder = &arguments.mitsuba;
+    mitsuba::prepare(folder).map_err(unwritten)?;
     let opened = flags.open(&arguments.scene, arguments.quiet)?;
-    let exported = mitsuba::export(&opened.description, scene::audit(&opened.path), &arguments.mitsuba)?;
+    mitsuba::spare(folder, &opened.files).map_err(unwritten)?;
+    let exported = mitsuba::export(&opened.description, scene::audit(&opened.path), folder).map_err(unwritten)?;
     output::print(&told(&exported))?;
     Ok(Exit::Done)
+}
+
+/// Why nothing was exported. Its file can't be chosen, but its folder.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("{0}")]
+#[diagnostic(help("choose another folder with --mitsuba DIR, or make room there"))]
+struct Unwritten(SaveError);
+
+fn unwritten(error: SaveError) -> Failure {
+    Failure::of(Unwritten(error))
 }
 
 /// What was written, and how it differs.

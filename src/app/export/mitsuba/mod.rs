@@ -29,6 +29,9 @@ use xml::Element;
 /// The scene's file.
 const FILE: &str = "scene.xml";
 
+/// The folder of meshes, within the scene's.
+const MESHES: &str = "meshes";
+
 /// How far the two sides of a lamp that shines both ways are apart, by the greatest coordinate of it.
 const APART: f64 = 3e-5;
 
@@ -54,6 +57,27 @@ pub fn prepare(folder: &Path) -> Result<(), SaveError> {
     file::prepare(&folder.join(FILE)).map(drop)
 }
 
+/// Refuses a folder where files that the scene was read from have names that are written, or are what links of such names lead to.
+pub fn spare(folder: &Path, read: &[PathBuf]) -> Result<(), SaveError> {
+    let numbered = |name: &Path| {
+        let first = name.file_stem().and_then(|stem| stem.as_encoded_bytes().first());
+        first.is_some_and(u8::is_ascii_digit)
+    };
+    let ours = |path: &Path, within: &str, ending: &str| match within {
+        "" => path.ends_with(FILE),
+        _ => numbered(path) && path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending)),
+    };
+    for (within, ending) in [("", "xml"), (MESHES, "ply"), (picture::FOLDER, "exr")] {
+        let entries = std::fs::read_dir(folder.join(within)).into_iter().flatten().flatten();
+        for path in entries.map(|entry| entry.path()).filter(|path| ours(path, within, ending)) {
+            if std::fs::canonicalize(&path).is_ok_and(|place| file::is_among(&place, read)) {
+                return Err(SaveError::Input(path));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Writes a scene into a folder. `audit` says where its materials are written.
 pub fn export(scene: &SceneDescription, audit: Audit, folder: &Path) -> Result<Exported, SaveError> {
     let mut notes = Notes::new(audit);
@@ -72,7 +96,7 @@ pub fn export(scene: &SceneDescription, audit: Audit, folder: &Path) -> Result<E
     }
     let mut lights = 0;
     for (index, placed) in meshes.iter().enumerate() {
-        let stem = format!("meshes/{index}");
+        let stem = format!("{MESHES}/{index}");
         let emitter = surfaces.radiance(placed.numbers)?;
         lights += usize::from(emitter.is_some());
         for (mesh, side) in sides(placed, emitter.is_some()) {
