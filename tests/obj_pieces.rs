@@ -187,6 +187,25 @@ fn all_that_is_plain_odd_and_wrong_is_told_alike() {
 }
 
 #[test]
+fn lines_that_are_too_long_are_told_alike() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("model.obj");
+    // At the limit, and beyond it: blank, a comment, and spaces between and behind corners.
+    for length in [4 << 20, (4 << 20) + 1, 5 << 20] {
+        for (first, last) in [("", ""), ("#", "#"), ("f 1 2", "3"), ("f 1 2 3", " ")] {
+            let line = format!("{first}{}{last}", " ".repeat(length - first.len() - last.len()));
+            for end in ["\n", "\r\n"] {
+                std::fs::write(&file, format!("{CORNERS}{line}{end}f 1 2 3\n")).unwrap();
+                let want = read_obj_by(&file, None);
+                assert_eq!(want.0.is_none(), length > 4 << 20, "{first}: {length}");
+                let what = format!("{first:?}, {length} bytes, end {end:?}");
+                assert_same(&read_obj_by(&file, Some(1 << 21)), &want, &what);
+            }
+        }
+    }
+}
+
+#[test]
 fn numbers_are_read_to_the_bit() {
     let folder = tempfile::tempdir().unwrap();
     let mut random = lucerna::scene::generate::SplitMix(3);

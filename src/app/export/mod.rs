@@ -43,10 +43,12 @@ pub fn run(arguments: &ExportArguments) -> Result<Exit, Failure> {
         define: arguments.define.clone(),
         shaders: None,
     };
+    let folder = &arguments.mitsuba;
     let refused = |error| Failure::of(Unplaced::by("--mitsuba DIR")(error));
-    mitsuba::prepare(&arguments.mitsuba).map_err(refused)?;
+    mitsuba::prepare(folder).map_err(refused)?;
     let opened = flags.open(&arguments.scene, arguments.quiet)?;
-    let exported = mitsuba::export(&opened.description, scene::audit(&opened.path), &arguments.mitsuba);
+    mitsuba::spare(folder, &opened.files).map_err(refused)?;
+    let exported = mitsuba::export(&opened.description, scene::audit(&opened.path), folder);
     let exported = exported.map_err(refused)?;
     output::print(&told(&exported))?;
     Ok(Exit::Done)

@@ -88,11 +88,11 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
     let may_be_left = gpu.may_be_left_open();
     leave_running(may_be_left);
     let closing = std::thread::spawn(move || drop((engine, gpu)));
-    let saved = save_and_report(&summary, &mut outputs)?;
+    let saved = save_and_report(&summary, &mut outputs);
     if !may_be_left {
         closing.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
     }
-    Ok(match (saved && prepared, interrupted) {
+    Ok(match (saved? && prepared, interrupted) {
         (false, _) => Exit::Failed,
         (true, true) => Exit::Interrupted,
         (true, false) => Exit::Done,

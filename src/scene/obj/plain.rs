@@ -8,7 +8,7 @@ use glam::{DVec3, Vec2, Vec3};
 use super::decimal::decimal;
 use super::geometry::{Corners, Counts, Values};
 use super::statements::{MAX_CORNERS, unit, usable};
-use crate::scene::lines::{CTRL_Z, Line, Lines};
+use crate::scene::lines::{CTRL_Z, LINE_LIMIT, Line, Lines};
 use crate::scene::model::FARTHEST;
 
 /// A piece of a file, read.
@@ -69,7 +69,12 @@ impl Piece {
         let mut reader = Reader { bytes, at: 0, piece, weights: false };
         reader.piece.values.positions.reserve(bytes.len() / 64);
         while reader.at < bytes.len() {
+            let start = reader.at;
             reader.line()?;
+            // An error, even where the line is a comment.
+            if reader.at - start > LINE_LIMIT {
+                return None;
+            }
         }
         Some(reader.piece)
     }

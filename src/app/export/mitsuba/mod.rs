@@ -29,6 +29,9 @@ use xml::Element;
 /// The scene's file.
 const FILE: &str = "scene.xml";
 
+/// The folder of meshes, within the scene's.
+const MESHES: &str = "meshes";
+
 /// What was written.
 #[derive(Clone, Debug)]
 pub struct Exported {
@@ -42,6 +45,27 @@ pub struct Exported {
 /// Tries whether a folder can be written to.
 pub fn prepare(folder: &Path) -> Result<(), SaveError> {
     file::prepare(&folder.join(FILE)).map(drop)
+}
+
+/// Refuses a folder where files that the scene was read from have names that are written, or are what links of such names lead to.
+pub fn spare(folder: &Path, read: &[PathBuf]) -> Result<(), SaveError> {
+    let numbered = |name: &Path| {
+        let first = name.file_stem().and_then(|stem| stem.as_encoded_bytes().first());
+        first.is_some_and(u8::is_ascii_digit)
+    };
+    let ours = |path: &Path, within: &str, ending: &str| match within {
+        "" => path.ends_with(FILE),
+        _ => numbered(path) && path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending)),
+    };
+    for (within, ending) in [("", "xml"), (MESHES, "ply"), (picture::FOLDER, "exr")] {
+        let entries = std::fs::read_dir(folder.join(within)).into_iter().flatten().flatten();
+        for path in entries.map(|entry| entry.path()).filter(|path| ours(path, within, ending)) {
+            if std::fs::canonicalize(&path).is_ok_and(|place| file::is_among(&place, read)) {
+                return Err(SaveError::Input(path));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Writes a scene into a folder. `audit` says where its materials are written.
@@ -89,7 +113,7 @@ fn with_meshes(
     for (index, placed) in meshes.iter().enumerate() {
         let emitter = surfaces.radiance(placed.numbers)?;
         for (mesh, side) in placed.sides() {
-            let name = format!("meshes/{index}{side}.ply");
+            let name = format!("{MESHES}/{index}{side}.ply");
             file::write(&folder.join(&name), |out| mesh.write(out))?;
             let shape = Element::plugin("shape", "ply").attribute("id", format!("mesh-{index}{side}"));
             let shape = shape.string("filename", &name).boolean("face_normals", !mesh.has_normals);

@@ -13,7 +13,7 @@ use crate::image::{Output, Picture, SaveError};
 use crate::prepare::texture::Source;
 
 /// The folder of pictures, within the scene's.
-const FOLDER: &str = "textures";
+pub const FOLDER: &str = "textures";
 
 /// Writes pictures into a scene's folder, and says what they are called.
 pub struct Pictures {
