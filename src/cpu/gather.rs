@@ -16,18 +16,15 @@ struct Link {
 }
 
 impl PathScene<'_> {
-    /// A film sample of all pixels of a block, tile by tile; none beyond the film's edge. Blocks are numbered from the film's first.
-    pub fn sample_block(&self, params: &TraceParams, block: UVec2, sample: u32) -> Vec<(UVec2, Traced)> {
+    /// A film sample of all pixels of the tile whose first pixel this is, row by row; none beyond the film's edge.
+    pub fn sample_tile(&self, params: &TraceParams, first: UVec2, sample: u32) -> Vec<(UVec2, Traced)> {
+        let side = TILE_BLOCK / 2;
+        let pixels = (0..TILE_PIXELS).map(|slot| first + 2 * UVec2::new(slot % side, slot / side));
         let film = UVec2::new(params.film_width, params.film_height);
-        let bits = tile_bits(block, sample, params.seed);
-        let tile = |tile| {
-            let pixels = (0..TILE_PIXELS).map(|slot| block * TILE_BLOCK + pixel_of(bits, tile, slot));
-            let walked = pixels
-                .map(|pixel| pixel.cmplt(film).all().then(|| (pixel, self.walk(params, pixel, sample, true))))
-                .collect();
-            self.gather(walked)
-        };
-        (0..TILE_BLOCK * TILE_BLOCK / TILE_PIXELS).flat_map(tile).collect()
+        let walked: Vec<Option<(UVec2, Walked)>> = pixels
+            .map(|pixel| pixel.cmplt(film).all().then(|| (pixel, self.walk(params, pixel, sample, true))))
+            .collect();
+        self.gather(walked)
     }
 
     /// What the pixels of a tile have, with what they gather of what their paths lend.
@@ -71,23 +68,6 @@ impl PathScene<'_> {
             })
             .collect()
     }
-}
-
-/// Which two of the six bits of a pixel's place in its block are the number of its tile, the lower first.
-fn tile_bits(block: UVec2, sample: u32, seed: u32) -> [u32; 2] {
-    let drawn = pcg4d(UVec4::new(block.x, block.y, sample, seed)).x % 30;
-    let one = drawn % 6;
-    let other = (one + 1 + drawn / 6) % 6;
-    [one.min(other), one.max(other)]
-}
-
-/// Where a pixel of a block is, from its first one: by tile and place in it.
-fn pixel_of(bits: [u32; 2], tile: u32, slot: u32) -> UVec2 {
-    let with_bit = |number: u32, place: u32, bit: u32| {
-        ((number >> place) << (place + 1)) | (bit << place) | (number & ((1 << place) - 1))
-    };
-    let place = with_bit(with_bit(slot, bits[0], tile & 1), bits[1], tile >> 1);
-    UVec2::new(place % TILE_BLOCK, place / TILE_BLOCK)
 }
 
 /// None where the point does not look from there as it does to its own path.

@@ -37,25 +37,25 @@ fn reusing(room: &Room, library: Library, params: &TraceParams) -> impl FnMut(us
     }
 }
 
-/// The twin's sums of batch `i`, block by block.
+/// The twin's sums of batch `i`, tile by tile.
 fn twin_reusing(room: &Room, params: &TraceParams) -> impl Fn(usize) -> Vec<(DVec3, u64)> {
     let (twin, params) = (room.twin(), *params);
     move |i| {
         let params = batch(&params, i);
         let mut traced: HashMap<(u32, UVec2), Traced> = HashMap::new();
         for layer in 0..params.layers {
-            for block in blocks(&params) {
-                let samples = twin.sample_block(&params, block, params.first_sample + layer);
-                traced.extend(samples.into_iter().map(|(pixel, sample)| ((layer, pixel), sample)));
+            for first in first_pixels(&params) {
+                let tile = twin.sample_tile(&params, first, params.first_sample + layer);
+                traced.extend(tile.into_iter().map(|(pixel, sample)| ((layer, pixel), sample)));
             }
         }
         block_sums(&params, |layer, pixel| (traced[&(layer, pixel)].radiance, traced[&(layer, pixel)].rays))
     }
 }
 
-/// The blocks of a film.
-fn blocks(params: &TraceParams) -> Vec<UVec2> {
-    let of = |length: u32| 0..length.div_ceil(8);
+/// The first pixel of every tile of a film.
+fn first_pixels(params: &TraceParams) -> Vec<UVec2> {
+    let of = |length: u32| (0..length).filter(|at| at % 8 < 2);
     of(params.film_height).flat_map(|y| of(params.film_width).map(move |x| UVec2::new(x, y))).collect()
 }
 

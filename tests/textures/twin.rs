@@ -69,9 +69,10 @@ fn by_twin(engine: &Engine, description: &SceneDescription, params: &TraceParams
 /// The same of paths that are reused within tiles.
 fn by_tiles(scene: &PathScene, params: &TraceParams) -> Vec<(DVec3, u32)> {
     let mut all = vec![(DVec3::ZERO, 0); (SIZE.x * SIZE.y * LAYERS) as usize];
-    let blocks = || (0..SIZE.y.div_ceil(8)).flat_map(|y| (0..SIZE.x.div_ceil(8)).map(move |x| UVec2::new(x, y)));
-    for (layer, block) in (0..LAYERS).flat_map(|layer| blocks().map(move |block| (layer, block))) {
-        for (pixel, traced) in scene.sample_block(params, block, params.first_sample + layer) {
+    let firsts =
+        || (0..SIZE.y).flat_map(|y| (0..SIZE.x).map(move |x| UVec2::new(x, y))).filter(|p| (p % 8).max_element() < 2);
+    for (layer, first) in (0..LAYERS).flat_map(|layer| firsts().map(move |first| (layer, first))) {
+        for (pixel, traced) in scene.sample_tile(params, first, params.first_sample + layer) {
             all[((layer * SIZE.y + pixel.y) * SIZE.x + pixel.x) as usize] = (traced.radiance, traced.rays);
         }
     }

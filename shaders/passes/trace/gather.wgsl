@@ -16,7 +16,7 @@ import package::lib::bsdf::frame::{BsdfValue, ShadingFrame};
 import package::lib::bsdf::mixture::{mixture_evaluate};
 import package::lib::fault::{fault_of};
 import package::lib::math::{largest_of};
-import package::lib::rng_pcg::{pcg4d};
+@if(cutout) import package::lib::rng_pcg::{pcg4d};
 @if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{scene_extent};
@@ -115,24 +115,9 @@ fn is_seen(link: Link, point: LentPoint, extent: f32, chance: u32) -> bool {
     }
 }
 
-// Which two of the six bits of a pixel's place in its block are the number of its tile, the lower first: other ones in each block and sample, so
-// that what the pixels of a tile have in common shows no pattern once there are some samples.
-fn tile_bits(block: vec2<u32>, sample: u32) -> vec2<u32> {
-    let drawn = pcg4d(vec4<u32>(block, sample, params.seed)).x % 30u;
-    let one = drawn % 6u;
-    let other = (one + 1u + drawn / 6u) % 6u;
-    return vec2<u32>(min(one, other), max(one, other));
-}
-
-// A number with a bit put in at a place, before which those above it move up.
-fn with_bit(number: u32, place: u32, bit: u32) -> u32 {
-    return ((number >> place) << (place + 1u)) | (bit << place) | (number & ((1u << place) - 1u));
-}
-
 // Where a pixel of the block is, from its first one: by tile and place in it.
-fn pixel_of(bits: vec2<u32>, tile: u32, slot: u32) -> vec2<u32> {
-    let place = with_bit(with_bit(slot, bits.x, tile & 1u), bits.y, tile >> 1u);
-    return vec2<u32>(place % TILE_BLOCK, place / TILE_BLOCK);
+fn pixel_of(tile: u32, slot: u32) -> vec2<u32> {
+    return vec2<u32>(2u * (slot & 3u) + (tile & 1u), 2u * (slot >> 2u) + (tile >> 1u));
 }
 
 // What a good sample and what it gathered come to.
@@ -152,16 +137,15 @@ fn gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     let slot = local % TILE_PIXELS;
     let size = vec2<u32>(params.window_width, params.window_height);
     let corner = group.xy * TILE_BLOCK;
-    let bits = tile_bits(group.xy + vec2<u32>(params.window_x, params.window_y) / TILE_BLOCK, params.first_sample + group.z);
     let layer = group.z * size.y;
-    let pixel = corner + pixel_of(bits, tile, slot);
+    let pixel = corner + pixel_of(tile, slot);
     let exists = all(pixel < size);
     let place = select(0u, (layer + pixel.y) * size.x + pixel.x, exists);
     let gatherer = load_gatherer(place, exists);
     let extent = scene_extent(params.root);
     var rays = 0u;
     for (var k = 0u; k < TILE_PIXELS; k++) {
-        let lender = corner + pixel_of(bits, tile, k);
+        let lender = corner + pixel_of(tile, k);
         var density = 0.0;
         if (gatherer.exists && all(lender < size)) {
             let point = load_lent((layer + lender.y) * size.x + lender.x);
@@ -193,7 +177,7 @@ fn gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     }
     var light = vec3<f32>(0.0);
     for (var k = 0u; k < TILE_PIXELS; k++) {
-        let lender = corner + pixel_of(bits, tile, k);
+        let lender = corner + pixel_of(tile, k);
         let sum = totals[tile * TILE_PIXELS + k];
         let linked = sum > 0.0 && densities[(tile * TILE_PIXELS + k) * TILE_PIXELS + slot] > 0.0;
         if (linked || (k == slot && sum == 0.0)) {
