@@ -35,7 +35,7 @@ fn ended_by(folder: &Path, arguments: &[&str], delay: Duration, signal: &str) ->
 /// A model that takes about a second to read.
 fn large_model() -> String {
     let mut text = String::from("mtllib a.mtl\nusemtl grey\n");
-    for i in 0..800_000u32 {
+    for i in 0..3_200_000u32 {
         let [x, y, z] = [i % 97, i % 89, i % 83].map(|n| f64::from(n) * 0.125);
         writeln!(text, "v {x} {y} {z}\nf -1 -{} -{}", i % 7 + 1, i % 5 + 1).unwrap();
     }

@@ -69,8 +69,8 @@ const SURVIVAL: &str = "largest_of(most) * (*state).eta_scale";
 pub const WRONG: &[Edit] = &[
     gross("half of diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.5 * INV_PI * cos_theta)")]),
     edit("1 % less diffuse reflection", &[change(LAMBERT, "(INV_PI * cos_theta)", "(0.99 * INV_PI * cos_theta)")]),
-    edit("half of the light that is sampled", &[change_all(SHADOW, "drawn.radiance *", "0.5 * drawn.radiance *", 3)]),
-    edit("1 % more of it", &[change_all(SHADOW, "drawn.radiance *", "1.01 * drawn.radiance *", 3)]),
+    edit("half of the light that is sampled", &[change(SHADOW, "drawn.radiance *", "0.5 * drawn.radiance *")]),
+    edit("1 % more of it", &[change(SHADOW, "drawn.radiance *", "1.01 * drawn.radiance *")]),
     edit("no weight of light that is sampled", &[change(SHADOW, SAMPLED, "var weight = 1.0;")]),
     edit("no weight of light that is found", &[change(PATH, FOUND, "light *= 1.0;")]),
     edit("weights that do not add up to 1", &[change(LIGHT, "1.0 + ratio * ratio", "1.0 + 0.5 * ratio * ratio")]),
