@@ -30,8 +30,9 @@ fn a_number_of_ones_own_is_taken_up_and_followed() {
     person.display.key(F2);
     // The panel is a dark grey, at the right edge for sure.
     let panel = |look: &Screenshot| look.pixels.chunks(800).all(|row| row[799].iter().all(|code| *code < 70));
-    let plain =
-        person.see("the picture beside the panel", |look| look.width == 800 && panel(look) && brightness(look) > 40.0);
+    person.see("the picture beside the panel", |look| look.width == 800 && panel(look) && brightness(look) > 40.0);
+    // What it comes to, whatever it is when it is first seen.
+    let plain = person.rendered_scene("scene.ron", "500x600");
 
     let path = std::fs::read_to_string(person.folder.path().join(PATH)).unwrap();
     let declared = "@range(0.0, 16.0) override TIMES: f32 = 1.0;\nconst LARGEST_F32";
