@@ -9,6 +9,9 @@ use super::reuse::{GatherPoint, LentPoint};
 use crate::layout::texture::NO_CHANCE;
 use crate::layout::trace::{LEAST_FACING, TILE_BLOCK, TILE_PIXELS, TraceParams};
 
+/// Sets the hashes that deal quads to tiles off from those of other numbers.
+const DEAL_STREAM: u32 = 0x6465_616c;
+
 /// How a pixel sees a point that is lent, if nothing is in between: by area there.
 struct Link {
     at: BsdfValue,
@@ -16,15 +19,18 @@ struct Link {
 }
 
 impl PathScene<'_> {
-    /// A film sample of all pixels of the tile whose first pixel this is, row by row; none beyond the film's edge.
-    pub fn sample_tile(&self, params: &TraceParams, first: UVec2, sample: u32) -> Vec<(UVec2, Traced)> {
-        let side = TILE_BLOCK / 2;
-        let pixels = (0..TILE_PIXELS).map(|slot| first + 2 * UVec2::new(slot % side, slot / side));
+    /// A film sample of all pixels of the block whose first pixel this is, tile by tile; none beyond the film's edge.
+    pub fn sample_block(&self, params: &TraceParams, first: UVec2, sample: u32) -> Vec<(UVec2, Traced)> {
         let film = UVec2::new(params.film_width, params.film_height);
-        let walked: Vec<Option<(UVec2, Walked)>> = pixels
-            .map(|pixel| pixel.cmplt(film).all().then(|| (pixel, self.walk(params, pixel, sample, true))))
-            .collect();
-        self.gather(walked)
+        let dealt = deal_quads(first / TILE_BLOCK, params.seed);
+        let tiles = (0..TILE_BLOCK * TILE_BLOCK / TILE_PIXELS).flat_map(|tile| {
+            let pixels = (0..TILE_PIXELS).map(|slot| first + pixel_of(tile, slot, dealt));
+            let walked = pixels
+                .map(|pixel| pixel.cmplt(film).all().then(|| (pixel, self.walk(params, pixel, sample, true))))
+                .collect();
+            self.gather(walked)
+        });
+        tiles.collect()
     }
 
     /// What the pixels of a tile have, with what they gather of what their paths lend.
@@ -68,6 +74,20 @@ impl PathScene<'_> {
             })
             .collect()
     }
+}
+
+/// How the quads of a block are dealt to its tiles: two bits of the first and one of the second a quad.
+fn deal_quads(block: UVec2, seed: u32) -> [u32; 2] {
+    let words = pcg4d(UVec4::new(block.x, block.y, seed, DEAL_STREAM));
+    [words.x, words.y]
+}
+
+/// Where a pixel of a tile is in its block; `slot` is its quad.
+fn pixel_of(tile: u32, slot: u32, [turns, swaps]: [u32; 2]) -> UVec2 {
+    let at = tile ^ (turns >> (2 * slot) & 3);
+    let [x, y] = if swaps >> slot & 1 == 0 { [at & 1, at >> 1] } else { [at >> 1, at & 1] };
+    let side = TILE_BLOCK / 2;
+    2 * UVec2::new(slot % side, slot / side) + UVec2::new(x, y)
 }
 
 /// None where the point does not look from there as it does to its own path.

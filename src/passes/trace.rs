@@ -67,7 +67,7 @@ pub static GATHER: Pass = Pass {
         &texture_bindings(&["cutout"]),
     ]),
     makes: &[Makes::Film],
-    twin: twin!(path::PathScene::sample_tile),
+    twin: twin!(path::PathScene::sample_block),
 };
 
 /// Buffers of the trace kernel for a window of so many pixels and so many samples a batch.

@@ -6,7 +6,7 @@ use glam::{DVec3, UVec2};
 use lucerna::cpu::path::Traced;
 use lucerna::cpu::rng::Source;
 use lucerna::gpu::Runtime;
-use lucerna::layout::trace::{RadianceSample, SAMPLE_BAD, TraceParams};
+use lucerna::layout::trace::{RadianceSample, SAMPLE_BAD, TILE_BLOCK, TraceParams};
 use lucerna::shader::Library;
 
 use crate::rooms::{Room, trace_reused_batch};
@@ -37,7 +37,7 @@ fn reusing(room: &Room, library: Library, params: &TraceParams) -> impl FnMut(us
     }
 }
 
-/// The twin's sums of batch `i`, tile by tile.
+/// The twin's sums of batch `i`, block by block.
 fn twin_reusing(room: &Room, params: &TraceParams) -> impl Fn(usize) -> Vec<(DVec3, u64)> {
     let (twin, params) = (room.twin(), *params);
     move |i| {
@@ -45,17 +45,17 @@ fn twin_reusing(room: &Room, params: &TraceParams) -> impl Fn(usize) -> Vec<(DVe
         let mut traced: HashMap<(u32, UVec2), Traced> = HashMap::new();
         for layer in 0..params.layers {
             for first in first_pixels(&params) {
-                let tile = twin.sample_tile(&params, first, params.first_sample + layer);
-                traced.extend(tile.into_iter().map(|(pixel, sample)| ((layer, pixel), sample)));
+                let block = twin.sample_block(&params, first, params.first_sample + layer);
+                traced.extend(block.into_iter().map(|(pixel, sample)| ((layer, pixel), sample)));
             }
         }
         block_sums(&params, |layer, pixel| (traced[&(layer, pixel)].radiance, traced[&(layer, pixel)].rays))
     }
 }
 
-/// The first pixel of every tile of a film.
+/// The first pixel of every block of a film.
 fn first_pixels(params: &TraceParams) -> Vec<UVec2> {
-    let of = |length: u32| (0..length).filter(|at| at % 8 < 2);
+    let of = |length: u32| (0..length).step_by(TILE_BLOCK as usize);
     of(params.film_height).flat_map(|y| of(params.film_width).map(move |x| UVec2::new(x, y))).collect()
 }
 

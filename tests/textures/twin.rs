@@ -9,7 +9,7 @@ use lucerna::cpu::rng::Source;
 use lucerna::engine::Engine;
 use lucerna::gpu::GpuTable;
 use lucerna::layout::light::{LightRecord, LightTable};
-use lucerna::layout::trace::{MaterialRecord, RadianceSample, SAMPLE_BAD, Shading, TraceParams};
+use lucerna::layout::trace::{MaterialRecord, RadianceSample, SAMPLE_BAD, Shading, TILE_BLOCK, TraceParams};
 use lucerna::layout::tree::Triangle;
 use lucerna::scene::SceneDescription;
 use lucerna::shader::Library;
@@ -53,7 +53,7 @@ fn by_twin(engine: &Engine, description: &SceneDescription, params: &TraceParams
         scene.lights = (description.render.integrator == Integrator::Path).then_some(LightTable { lights, density });
         scene.textures = texture_set(world);
         if description.render.reuse == Reuse::Tiles {
-            return by_tiles(&scene, params);
+            return by_blocks(&scene, params);
         }
         let samples =
             (0..LAYERS).flat_map(|layer| (0..SIZE.y).flat_map(move |y| (0..SIZE.x).map(move |x| (layer, x, y))));
@@ -67,12 +67,13 @@ fn by_twin(engine: &Engine, description: &SceneDescription, params: &TraceParams
 }
 
 /// The same of paths that are reused within tiles.
-fn by_tiles(scene: &PathScene, params: &TraceParams) -> Vec<(DVec3, u32)> {
+fn by_blocks(scene: &PathScene, params: &TraceParams) -> Vec<(DVec3, u32)> {
     let mut all = vec![(DVec3::ZERO, 0); (SIZE.x * SIZE.y * LAYERS) as usize];
-    let firsts =
-        || (0..SIZE.y).flat_map(|y| (0..SIZE.x).map(move |x| UVec2::new(x, y))).filter(|p| (p % 8).max_element() < 2);
+    let firsts = || {
+        (0..SIZE.y).flat_map(|y| (0..SIZE.x).map(move |x| UVec2::new(x, y))).filter(|p| p % TILE_BLOCK == UVec2::ZERO)
+    };
     for (layer, first) in (0..LAYERS).flat_map(|layer| firsts().map(move |first| (layer, first))) {
-        for (pixel, traced) in scene.sample_tile(params, first, params.first_sample + layer) {
+        for (pixel, traced) in scene.sample_block(params, first, params.first_sample + layer) {
             all[((layer * SIZE.y + pixel.y) * SIZE.x + pixel.x) as usize] = (traced.radiance, traced.rays);
         }
     }

@@ -16,7 +16,7 @@ import package::lib::bsdf::frame::{BsdfValue, ShadingFrame};
 import package::lib::bsdf::mixture::{mixture_evaluate};
 import package::lib::fault::{fault_of};
 import package::lib::math::{largest_of};
-@if(cutout) import package::lib::rng_pcg::{pcg4d};
+import package::lib::rng_pcg::{pcg4d};
 @if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{scene_extent};
@@ -33,6 +33,9 @@ const AROUND_LENT: f32 = 0x1p-12;
 
 // A density above this is of a point in the corner that it is seen from, and links nothing: sums stay finite.
 const GREATEST_DENSITY: f32 = 1e30;
+
+// Sets these hashes off from those of other numbers.
+const DEAL_STREAM: u32 = 0x6465616cu;
 
 // Of each of four tiles, each point that is lent, and each pixel: the density with which the pixel would have drawn the point; 0 where the two
 // are not linked.
@@ -115,9 +118,17 @@ fn is_seen(link: Link, point: LentPoint, extent: f32, chance: u32) -> bool {
     }
 }
 
-// Where a pixel of the block is, from its first one: by tile and place in it.
-fn pixel_of(tile: u32, slot: u32) -> vec2<u32> {
-    return vec2<u32>(2u * (slot & 3u) + (tile & 1u), 2u * (slot >> 2u) + (tile >> 1u));
+// How the quads of a block, of 2 by 2 pixels, are dealt to its four tiles: two bits of x and one of y a quad.
+fn deal_quads(block: vec2<u32>) -> vec2<u32> {
+    return pcg4d(vec4<u32>(block, params.seed, DEAL_STREAM)).xy;
+}
+
+// Where a pixel of the block is, from its first one: by tile and place in it, which is its quad. Pixels of a tile share most of their noise; dealt
+// at random, it looks like noise, and a quad still has a pixel of each.
+fn pixel_of(tile: u32, slot: u32, dealt: vec2<u32>) -> vec2<u32> {
+    let at = tile ^ ((dealt.x >> (2u * slot)) & 3u);
+    let inner = select(vec2<u32>(at & 1u, at >> 1u), vec2<u32>(at >> 1u, at & 1u), ((dealt.y >> slot) & 1u) != 0u);
+    return 2u * vec2<u32>(slot & 3u, slot >> 2u) + inner;
 }
 
 // What a good sample and what it gathered come to.
@@ -137,15 +148,16 @@ fn gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     let slot = local % TILE_PIXELS;
     let size = vec2<u32>(params.window_width, params.window_height);
     let corner = group.xy * TILE_BLOCK;
+    let dealt = deal_quads((corner + vec2<u32>(params.window_x, params.window_y)) / TILE_BLOCK);
     let layer = group.z * size.y;
-    let pixel = corner + pixel_of(tile, slot);
+    let pixel = corner + pixel_of(tile, slot, dealt);
     let exists = all(pixel < size);
     let place = select(0u, (layer + pixel.y) * size.x + pixel.x, exists);
     let gatherer = load_gatherer(place, exists);
     let extent = scene_extent(params.root);
     var rays = 0u;
     for (var k = 0u; k < TILE_PIXELS; k++) {
-        let lender = corner + pixel_of(tile, k);
+        let lender = corner + pixel_of(tile, k, dealt);
         var density = 0.0;
         if (gatherer.exists && all(lender < size)) {
             let point = load_lent((layer + lender.y) * size.x + lender.x);
@@ -177,7 +189,7 @@ fn gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     }
     var light = vec3<f32>(0.0);
     for (var k = 0u; k < TILE_PIXELS; k++) {
-        let lender = corner + pixel_of(tile, k);
+        let lender = corner + pixel_of(tile, k, dealt);
         let sum = totals[tile * TILE_PIXELS + k];
         let linked = sum > 0.0 && densities[(tile * TILE_PIXELS + k) * TILE_PIXELS + slot] > 0.0;
         if (linked || (k == slot && sum == 0.0)) {

@@ -2,7 +2,7 @@
 //
 // A path's first surface is x, and where the direction that it draws there leads is y. What the diffuse lobe of y sends on looks the same
 // from everywhere, so it is kept apart from the path's own radiance, as light that all pixels of the tile gather (passes/trace/gather). A tile is
-// every second pixel, either way, of a block of 8 by 8 of the whole film.
+// one pixel of each quad of a block of 8 by 8 of the whole film.
 
 import package::gen::{GatherPoint, LentPoint, MaterialRecord, PathState};
 import package::gen::{NO_HIT, NO_MATERIAL};
