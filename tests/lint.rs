@@ -10,7 +10,7 @@ use lucerna::gpu::Values;
 use lucerna::layout::trace::MaterialRecord;
 use lucerna::prepare::material;
 use lucerna::shader::Library;
-use lucerna::watch::lint::{Finding, VIEWS, kinds, run};
+use lucerna::watch::lint::{Finding, Surfaces, VIEWS, kinds, run};
 
 use crate::support;
 
@@ -59,9 +59,14 @@ fn lint(library: &Library, surfaces: &[Named], views: &[f64], seed: u32) -> Vec<
     surfaces
         .chunks(1)
         .flat_map(|one| {
-            run(&support::gpu(), library.clone(), one, views, (seed, &Values::new()), || true).unwrap().unwrap()
+            run(&support::gpu(), library.clone(), lent(one), views, (seed, &Values::new()), || true).unwrap().unwrap()
         })
         .collect()
+}
+
+/// Surfaces of a scene whose paths are reused, so that all there is to lint is.
+fn lent(materials: &[Named]) -> Surfaces<'_> {
+    Surfaces { materials, reused: true }
 }
 
 #[test]
@@ -133,10 +138,35 @@ fn planted_mistakes_are_found() {
 }
 
 #[test]
+fn what_is_lent_and_depends_on_the_view_is_found_where_paths_are_reused() {
+    let lambert = [pack("floor", grey(0.95, 0.0))];
+    let shiny = [pack("pot", Material { lobe: Lobe::Phong(200.0), ..grey(0.5, 0.45) })];
+    let edited = planted(
+        "lib/bsdf/mixture",
+        "var value = lambert_value(m.kd, cos_theta);",
+        "var value = lambert_value(m.kd, cos_theta) * (0.5 + 0.5 * dot(frame.wo, frame.shading));",
+    );
+    let changes = |flaw: &Flaw| matches!(flaw, Flaw::Viewed { change } if (change - 0.179).abs() < 0.001);
+    for surfaces in [&lambert, &shiny] {
+        let found = flaws(&edited, surfaces);
+        assert!(found.iter().any(changes), "{found:?}");
+        let alone = Surfaces { materials: surfaces, reused: false };
+        let found = run(&support::gpu(), edited.clone(), alone, &VIEWS, (7, &Values::new()), || true);
+        assert!(found.unwrap().unwrap().iter().all(|finding| !matches!(finding.flaw, Flaw::Viewed { .. })));
+    }
+}
+
+#[test]
 fn a_warning_names_what_and_where() {
     let halved = planted("lib/bsdf/lambert", "return INV_PI * cos_theta;", "return 0.5 * INV_PI * cos_theta;");
-    let found =
-        run(&support::gpu(), halved, &[pack("model:floor", grey(0.5, 0.0))], &[30.0], (1, &Values::new()), || true);
+    let found = run(
+        &support::gpu(),
+        halved,
+        lent(&[pack("model:floor", grey(0.5, 0.0))]),
+        &[30.0],
+        (1, &Values::new()),
+        || true,
+    );
     let texts: Vec<String> = found.unwrap().unwrap().iter().map(Finding::to_string).collect();
     let text = texts.iter().find(|text| text.contains("evaluate's pdf")).unwrap();
     assert!(text.contains("come to 0.5") || text.contains("come to 0.49"), "{text}");
@@ -159,12 +189,12 @@ fn an_unwanted_lint_ends() {
     let surfaces = [pack("floor", grey(0.5, 0.0))];
     let begin = Instant::now();
     assert_eq!(
-        run(&support::gpu(), Library::shipped(), &surfaces, &VIEWS, (1, &Values::new()), || false).unwrap(),
+        run(&support::gpu(), Library::shipped(), lent(&surfaces), &VIEWS, (1, &Values::new()), || false).unwrap(),
         None
     );
     println!("a lint that ends early: {:?}", begin.elapsed());
     let begin = Instant::now();
-    run(&support::gpu(), Library::shipped(), &self::surfaces(), &VIEWS, (1, &Values::new()), || true).unwrap();
+    run(&support::gpu(), Library::shipped(), lent(&self::surfaces()), &VIEWS, (1, &Values::new()), || true).unwrap();
     println!("a lint of eight kinds: {:?}", begin.elapsed());
 }
 

@@ -27,7 +27,8 @@ gpu_struct! {
         pub evaluated: f32,
         /// f * cos by `mixture_evaluate`.
         pub value: Vec3,
-        pub pad: f32,
+        /// Where paths are reused: by which part what they lend in this direction is other, seen from straight above.
+        pub change_with_view: f32,
     }
 
     /// Parameters of the pass.

@@ -19,6 +19,15 @@ const MOST_KINDS: usize = 8;
 /// Where surfaces are seen from, degrees from the normal.
 pub const VIEWS: [f64; 3] = [10.0, 50.0, 80.0];
 
+/// What is linted.
+#[derive(Clone, Copy, Debug)]
+pub struct Surfaces<'a> {
+    /// By name.
+    pub materials: &'a [(String, MaterialRecord)],
+    /// Pixels use each other's paths.
+    pub reused: bool,
+}
+
 /// A flaw, and where it shows first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
@@ -72,13 +81,13 @@ pub fn kinds(materials: &[(String, MaterialRecord)]) -> Vec<&(String, MaterialRe
     found
 }
 
-/// Asks the code of a library for each kind of `materials`, from each of `views`, degrees from the normal, with parameters set to `values`. Each kind of flaw comes once.
+/// Asks the code of a library for each kind of material, from each of `views`, degrees from the normal, with parameters set to `values`. Each kind of flaw comes once.
 ///
 /// None where `wanted` says no on the way.
 pub fn run(
     gpu: &Arc<Gpu>,
     library: Library,
-    materials: &[(String, MaterialRecord)],
+    Surfaces { materials, reused }: Surfaces,
     views: &[f64],
     (seed, values): (u32, &Values),
     wanted: impl Fn() -> bool,
@@ -91,7 +100,7 @@ pub fn run(
     let records: Vec<MaterialRecord> = materials.iter().map(|(_, record)| *record).collect();
     let mut runtime = Runtime::new(gpu.clone(), library);
     runtime.set_values(values.clone());
-    runtime.set_features(&Needs { materials: &records, ..Needs::default() }.features());
+    runtime.set_features(&Needs { materials: &records, reuse: reused, ..Needs::default() }.features());
     runtime.upload("lint_cases", &cases)?;
     let draws = ask(&mut runtime, cases.len(), DRAWS, seed, true)?;
     if !wanted() {

@@ -7,7 +7,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use super::event::{Problem, ReloadEvent};
-use super::lint::{self, Finding, VIEWS};
+use super::lint::{self, Finding, Surfaces, VIEWS};
 use crate::gpu::{Gpu, Runtime, Values};
 use crate::layout::trace::MaterialRecord;
 use crate::passes::lint::LINT;
@@ -56,8 +56,8 @@ impl Linter {
         self.stale = true;
     }
 
-    /// Looks at the code that runs now, if it was not yet looked at, on the surfaces of the scene.
-    pub fn start(&mut self, runtime: &Runtime, materials: Vec<(String, MaterialRecord)>) {
+    /// Looks at the code that runs now, if it was not yet looked at, on the surfaces of the scene. `reused`: its paths are.
+    pub fn start(&mut self, runtime: &Runtime, materials: Vec<(String, MaterialRecord)>, reused: bool) {
         let Some(judged) = self.judged.clone().filter(|_| std::mem::take(&mut self.stale)) else { return };
         let serial = self.serial.load(Ordering::Relaxed);
         let (gpu, library, current) = (runtime.gpu().clone(), runtime.library().clone(), self.serial.clone());
@@ -69,7 +69,8 @@ impl Linter {
                 let _ = last.join();
             }
             let wanted = || current.load(Ordering::Relaxed) == serial;
-            if let Some(told) = lint_edit(&gpu, [&judged, &library], &values, &materials, wanted)
+            let surfaces = Surfaces { materials: &materials, reused };
+            if let Some(told) = lint_edit(&gpu, [&judged, &library], &values, surfaces, wanted)
                 && sender.send(Verdict { serial, library, told }).is_ok()
             {
                 wake();
@@ -109,19 +110,19 @@ pub fn lint_edit(
     gpu: &Arc<Gpu>,
     [judged, library]: [&Library; 2],
     values: &Values,
-    materials: &[(String, MaterialRecord)],
+    surfaces: Surfaces,
     wanted: impl Fn() -> bool,
 ) -> Option<Option<(Vec<Problem>, Duration)>> {
     let begin = Instant::now();
-    let records: Vec<MaterialRecord> = materials.iter().map(|(_, record)| *record).collect();
-    let needs = Needs { materials: &records, ..Needs::default() };
+    let records: Vec<MaterialRecord> = surfaces.materials.iter().map(|(_, record)| *record).collect();
+    let needs = Needs { materials: &records, reuse: surfaces.reused, ..Needs::default() };
     let features = needs.features().into_iter().map(str::to_owned).collect();
     let new = library.link(LINT.module, &features).ok()?;
     if judged.link(LINT.module, &features).is_ok_and(|old| old.is_same(&new)) {
         return Some(None);
     }
     let edited = new.imports.iter().find(|module| judged.hash(module) != library.hash(module));
-    let findings = lint::run(gpu, library.clone(), materials, &VIEWS, (SEED, values), wanted).ok()??;
+    let findings = lint::run(gpu, library.clone(), surfaces, &VIEWS, (SEED, values), wanted).ok()??;
     let file = edited.map(|module| format!("{module}.wgsl"));
     let warnings = findings.into_iter().map(|finding| problem(file.clone(), &finding)).collect();
     Some(Some((warnings, begin.elapsed())))

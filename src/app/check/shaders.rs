@@ -12,6 +12,7 @@ use crate::gpu::{Gpu, Values, checked_entry};
 use crate::passes::Pass;
 use crate::passes::table::TABLE;
 use crate::shader::{Features, Library, ShaderError};
+use crate::watch::lint::Surfaces;
 use crate::watch::lint_edit;
 
 /// What a check of a library has found, all of which was shown.
@@ -90,7 +91,9 @@ impl CheckedShaders {
                 return;
             }
         };
-        match lint_edit(&gpu, [&Library::embedded(), library], &Values::new(), &surfaces(), || true) {
+        let materials = surfaces();
+        let surfaces = Surfaces { materials: &materials, reused: true };
+        match lint_edit(&gpu, [&Library::embedded(), library], &Values::new(), surfaces, || true) {
             None => {
                 self.errors += 1;
                 output::note("error: the code of surfaces links, and can't be run: they were not linted");

@@ -52,6 +52,8 @@ pub enum Flaw {
     OtherWeight { weight: f64, quotient: f64 },
     /// The largest channel of the mean weight, and what it may be.
     Gain { mean: f64, most: f64 },
+    /// What paths lend to other pixels is other, by this part at most, where it is seen from elsewhere.
+    Viewed { change: f64 },
 }
 
 impl fmt::Display for Flaw {
@@ -79,6 +81,12 @@ impl fmt::Display for Flaw {
             Flaw::Gain { mean, most } => {
                 write!(f, "light is gained: the mean weight is {mean:.3}, and may be {most:.3}")
             }
+            Flaw::Viewed { change } => write!(
+                f,
+                "what is lent to other pixels changes by up to {:.0} % with the view, so pictures with `reuse: Tiles` are biased: \
+                 leave that out of mixture_seen_from_anywhere, or trace with `--reuse off`",
+                100.0 * change
+            ),
         }
     }
 }
@@ -115,6 +123,7 @@ impl<'a> Trial<'a> {
             flaws.extend(self.distribution(cells, &pdf));
         }
         flaws.extend(self.furnace());
+        flaws.extend(self.views());
         flaws
     }
 
@@ -182,6 +191,14 @@ impl<'a> Trial<'a> {
         let error = (squares / (count * count)).max_element().sqrt();
         let mean = mean.max_element();
         (mean > most + 0.01 + ERRORS * error).then_some(Flaw::Gain { mean, most })
+    }
+
+    /// Whether what is lent looks the same from everywhere.
+    fn views(&self) -> Option<Flaw> {
+        let changes: Vec<f64> = self.draws.iter().map(|draw| f64::from(draw.change_with_view)).collect();
+        let other = changes.iter().filter(|change| **change > ROUNDING).count() as f64;
+        let change = changes.iter().copied().fold(0.0, f64::max);
+        (other > STRAY * changes.len() as f64).then_some(Flaw::Viewed { change })
     }
 
     /// 1, unless the material as it was written reflects more, or squeezes radiance.

@@ -8,7 +8,7 @@ use crate::components::{Film, Name};
 use crate::gpu::GpuTable;
 use crate::layout::trace::MaterialRecord;
 use crate::systems::code::restart_for_code;
-use crate::systems::resources::{Batch, Device, Displayed, FilmProgress, Governor, MaterialSlot, Tree};
+use crate::systems::resources::{Batch, Device, Displayed, FilmProgress, Governor, MaterialSlot, Shot, Tree};
 use crate::watch::{ReloadEvent, Restarts};
 
 /// What a reload may make start anew.
@@ -49,6 +49,7 @@ pub fn tell_first_pixels(
     batch: Res<Batch>,
     progress: Single<&FilmProgress, With<Film>>,
     device: Res<Device>,
+    shot: Res<Shot>,
     records: Res<GpuTable<MaterialRecord>>,
     materials: Query<(&Name, &MaterialSlot)>,
 ) {
@@ -60,6 +61,6 @@ pub fn tell_first_pixels(
         named.sort_by_key(|(slot, _)| *slot);
         let record = |(slot, name): (u32, &Name)| Some((name.to_string(), *records.rows().get(slot as usize)?));
         let materials = named.into_iter().filter_map(record).collect();
-        reload.linter.start(&device.0, materials);
+        reload.linter.start(&device.0, materials, shot.reuses());
     }
 }
