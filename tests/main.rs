@@ -72,6 +72,7 @@ mod shader;
 mod shader_depth;
 mod shader_errors;
 mod shader_fuzz;
+mod skip;
 mod sky;
 mod sky_size;
 mod sort;

@@ -27,10 +27,10 @@ use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription, SceneText};
 use crate::shader::{Library, Parameter};
 use crate::systems::resources::{
-    Budget, CompileListener, Device, Endless, FilmProgress, Frame, Live, MaterialSlot, SceneGeometry, Shot, Sky,
-    SkySource, Target, Textures, Viewed,
+    Budget, CompileListener, Device, Endless, FilmProgress, Frame, General, Live, MaterialSlot, SceneGeometry, Shot,
+    Sky, SkySource, Target, Textures, Viewed,
 };
-use crate::systems::{self, Entered, Fault, Reload};
+use crate::systems::{self, Fault, Reload};
 use crate::watch::{Problem, ReloadEvent, Sources, WatchError};
 
 /// How far the film is.
@@ -144,6 +144,12 @@ impl Engine {
     /// Shader features that the scene needs, as it was last extracted.
     pub fn features(&self) -> &BTreeSet<String> {
         &self.world.resource::<Shot>().features
+    }
+
+    /// Has the trace kernels of later steps compiled with all that can be compiled in where a scene has no use for it; the film starts anew where
+    /// that is a change. What that costs is what a scene without it saves.
+    pub fn set_general(&mut self, on: bool) {
+        self.world.resource_mut::<General>().set_if_neq(General(on));
     }
 
     /// Seconds and samples since the engine opened.
@@ -359,21 +365,6 @@ impl Engine {
         }
     }
 
-    /// How often each pass was dispatched since the engine opened.
-    pub fn dispatches(&self) -> &BTreeMap<&'static str, u64> {
-        self.world.resource::<Device>().0.dispatches()
-    }
-
-    /// Bytes sent to each buffer since the engine opened; `params` are the parameters of dispatches.
-    pub fn uploads(&self) -> &BTreeMap<&'static str, u64> {
-        self.world.resource::<Device>().0.uploads()
-    }
-
-    /// How often each system was entered since the engine opened.
-    pub fn entered(&self) -> &BTreeMap<&'static str, u64> {
-        &self.world.resource::<Entered>().0
-    }
-
     /// Reads the film back, with its picture.
     pub fn film(&mut self) -> Result<FilmImage, EngineError> {
         film::read_film(&mut self.world)
@@ -392,10 +383,5 @@ impl Engine {
     /// Reads the mean radiance of the film's window back, row by row from the top: sooner done than the whole film.
     pub fn radiance(&mut self) -> Result<Vec<[f32; 3]>, EngineError> {
         film::read_radiance(&self.world)
-    }
-
-    /// What was done so far, and what it took.
-    pub fn report(&mut self) -> Result<Report, EngineError> {
-        report::read_report(&mut self.world)
     }
 }

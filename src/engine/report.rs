@@ -1,15 +1,17 @@
-//! An account of the work.
+//! Accounts of the work.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bevy_ecs::prelude::*;
 
-use super::film;
+use super::{Engine, film};
 use crate::gpu::{GpuTable, PassCompile, PassTiming};
 use crate::layout::film::{BAD_LOG, BadSample, FilmCounters};
+use crate::layout::sort::SortPlan;
 use crate::layout::tree::{Triangle, node_count};
-use crate::systems::EngineError;
+use crate::passes::sort::SORT_PLAN;
 use crate::systems::resources::{Device, Shot, Spent, Textures};
+use crate::systems::{EngineError, Entered};
 
 /// What the engine did since it opened.
 #[derive(Clone, Debug)]
@@ -43,16 +45,21 @@ pub struct Report {
     pub passes: Vec<PassTiming>,
     /// Dispatches by pass.
     pub dispatches: BTreeMap<&'static str, u64>,
+    /// Features that the scene needs, of [`FEATURES`](crate::passes::features::FEATURES).
+    pub features: BTreeSet<String>,
+    /// Digits of the keys of the tree's sort that were sorted, where passes did that: the others agree in all keys, and were skipped.
+    pub sorted_digits: Option<u32>,
 }
 
 /// Adds up what was done.
-pub fn read_report(world: &mut World) -> Result<Report, EngineError> {
+fn read_report(world: &mut World) -> Result<Report, EngineError> {
     let progress = film::progress(world);
     let spent = *world.resource::<Spent>();
     let triangles = world.resource::<GpuTable<Triangle>>().len() as u32;
     let uses = &world.resource::<Textures>().uses;
     let textures = (uses.len() as u32, uses.iter().map(|used| used.bytes).sum());
-    let window = world.resource::<Shot>().size();
+    let shot = world.resource::<Shot>();
+    let (window, features) = (shot.size(), shot.features.clone());
     let device = &mut world.resource_mut::<Device>().0;
     let counters = match progress.begun {
         true => device.read_some::<FilmCounters>("counters", 1)?[0],
@@ -75,6 +82,33 @@ pub fn read_report(world: &mut World) -> Result<Report, EngineError> {
         bad_samples: u64::from(bad),
         bad_log: counters.log[..bad.min(BAD_LOG) as usize].to_vec(),
         passes: device.timings()?,
+        sorted_digits: match device.dispatches().contains_key(SORT_PLAN.name) {
+            true => Some(device.read_some::<SortPlan>("sort_plan", 1)?[0].digits_run),
+            false => None,
+        },
         dispatches: device.dispatches().clone(),
+        features,
     })
+}
+
+impl Engine {
+    /// How often each pass was dispatched since the engine opened.
+    pub fn dispatches(&self) -> &BTreeMap<&'static str, u64> {
+        self.world.resource::<Device>().0.dispatches()
+    }
+
+    /// Bytes sent to each buffer since the engine opened; `params` are the parameters of dispatches.
+    pub fn uploads(&self) -> &BTreeMap<&'static str, u64> {
+        self.world.resource::<Device>().0.uploads()
+    }
+
+    /// How often each system was entered since the engine opened.
+    pub fn entered(&self) -> &BTreeMap<&'static str, u64> {
+        &self.world.resource::<Entered>().0
+    }
+
+    /// What was done so far, and what it took.
+    pub fn report(&mut self) -> Result<Report, EngineError> {
+        read_report(&mut self.world)
+    }
 }

@@ -6,6 +6,7 @@
 mod clear;
 pub mod debug;
 pub mod extend;
+pub mod features;
 pub mod film;
 pub mod lattice;
 pub mod lint;

@@ -30,8 +30,8 @@ pub use run::Entered;
 use crate::components::Film;
 use phase::Phase;
 use resources::{
-    Batch, CompileListener, Displayed, Endless, Everything, FilmProgress, Frame, Governor, LightDensity, Live, Policy,
-    Relief, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tree, Viewed,
+    Batch, CompileListener, Displayed, Endless, Everything, FilmProgress, Frame, General, Governor, LightDensity, Live,
+    Policy, Relief, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tree, Viewed,
 };
 
 /// The one schedule.
@@ -84,6 +84,7 @@ pub fn insert_resources(world: &mut World) {
     world.init_resource::<Shot>();
     world.init_resource::<Displayed>();
     world.init_resource::<Endless>();
+    world.init_resource::<General>();
     world.init_resource::<Target>();
     world.init_resource::<Tree>();
     world.init_resource::<Batch>();

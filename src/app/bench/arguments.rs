@@ -4,6 +4,7 @@ use clap::{Args, Subcommand};
 
 use super::light::{self, LightArguments};
 use super::peers::{self, PeersArguments};
+use super::skip::{self, SkipArguments};
 use super::{LEAST_RUNS, build, extend, sort};
 use crate::app::shared::values::MORE;
 use crate::app::{Exit, Failure};
@@ -24,6 +25,8 @@ pub enum BenchCommand {
     Scenes(LightArguments),
     /// Measure how soon this and Mitsuba 3 come to an error, on the same scenes
     Peers(PeersArguments),
+    /// Measure what scenes save by leaving out of the kernels what they do not need
+    Skip(SkipArguments),
     /// Sort pairs of random 63-bit keys and 32-bit payloads
     Sort {
         /// Numbers of pairs
@@ -67,6 +70,7 @@ impl BenchArguments {
             None => light::run(&self.light),
             Some(BenchCommand::Scenes(light)) => light::run(&light),
             Some(BenchCommand::Peers(peers)) => peers::run(&peers),
+            Some(BenchCommand::Skip(skip)) => skip::run(&skip),
             Some(BenchCommand::Sort { counts, how }) => {
                 sort::run(Gpu::open()?, &counts, how.runs, how.json)?;
                 Ok(Exit::Done)

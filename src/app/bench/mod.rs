@@ -6,6 +6,7 @@ pub mod build;
 pub mod extend;
 pub mod light;
 pub mod peers;
+pub mod skip;
 pub mod sort;
 
 pub use arguments::BenchArguments;

@@ -11,6 +11,9 @@ use crate::app::shared::quality::Quality;
 use crate::engine::{FilmImage, Report};
 use crate::image::Outputs;
 use crate::layout::film::BadSample;
+use crate::layout::sort::SORT_DIGITS;
+use crate::passes::features::{FEATURES, Feature};
+use crate::passes::table::TABLE;
 use crate::scene::SceneDescription;
 use crate::scene::settings::Named;
 
@@ -133,8 +136,27 @@ impl RenderSummary<'_> {
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
             "passes": passes,
             "compiled": compiled,
+            "skipped": self.skipped(),
             "outputs": outputs.names(),
         })
+    }
+
+    /// What this scene went without, by name.
+    fn skipped(&self) -> Value {
+        json!({
+            "features": self.features_left_out().map(|feature| feature.name).collect::<Vec<_>>(),
+            "passes": self.passes_not_run().collect::<Vec<_>>(),
+            // Null where no pass sorted.
+            "digits": self.report.sorted_digits.map(|digits| SORT_DIGITS - digits),
+        })
+    }
+
+    fn features_left_out(&self) -> impl Iterator<Item = &'static Feature> {
+        FEATURES.iter().filter(|feature| !self.report.features.contains(feature.name))
+    }
+
+    fn passes_not_run(&self) -> impl Iterator<Item = &'static str> {
+        TABLE.iter().map(|pass| pass.name).filter(|name| !self.report.dispatches.contains_key(name))
     }
 
     fn bad_sample(&self, bad: &BadSample) -> Value {
@@ -208,6 +230,7 @@ impl RenderSummary<'_> {
         for (name, seconds) in outputs.seconds() {
             text += &format!("  written in {seconds:.3} s: {name}\n");
         }
+        text += &self.skipped_lines();
         for pass in &report.compiles {
             let (link, driver) = (pass.link_milliseconds, pass.driver_milliseconds);
             text += &format!("  {:<16} linked in {link:.1} ms, compiled in {driver:.1} ms\n", pass.name);
@@ -221,6 +244,24 @@ impl RenderSummary<'_> {
         }
         for pass in &report.passes {
             text += &format!("  {:<16} {:>8} x {:>12.3} ms\n", pass.name, pass.count, pass.milliseconds);
+        }
+        text
+    }
+
+    /// What is not compiled, not run and not sorted.
+    fn skipped_lines(&self) -> String {
+        let left_out: Vec<&str> = self.features_left_out().map(|feature| feature.what).collect();
+        let not_run: Vec<&str> = self.passes_not_run().collect();
+        let mut text = format!(
+            "  not compiled, for nothing needs it, {} of {}: {}\n",
+            left_out.len(),
+            FEATURES.len(),
+            left_out.join(", ")
+        );
+        text += &format!("  not run, {} of {} passes: {}\n", not_run.len(), TABLE.len(), not_run.join(", "));
+        if let Some(digits) = self.report.sorted_digits {
+            text +=
+                &format!("  not sorted, {} of {SORT_DIGITS} digits: all keys agree in them\n", SORT_DIGITS - digits);
         }
         text
     }

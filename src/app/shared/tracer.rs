@@ -49,6 +49,11 @@ impl Tracer {
         });
     }
 
+    /// Has the kernels compiled with all that can be idle in them.
+    pub fn set_general(&mut self, on: bool) {
+        self.engine.set_general(on);
+    }
+
     /// Changes the film: where it is another than before, it starts anew.
     pub fn set_film(&mut self, film: Film) {
         self.engine.edit(|world| {

@@ -15,6 +15,7 @@ use crate::layout::light::{LightRecord, LightTable};
 use crate::layout::texture::MaterialMaps;
 use crate::layout::trace::{MaterialRecord, TraceParams};
 use crate::layout::tree::Triangle;
+use crate::passes::features::FEATURES;
 use crate::passes::film::Look;
 use crate::passes::trace::{Needs, largest_emission};
 use crate::passes::tree::PLAN;
@@ -23,7 +24,7 @@ use crate::prepare::sun::sun_of;
 use crate::prepare::{camera, point};
 use crate::systems::error::EngineError;
 use crate::systems::resources::{
-    Displayed, Endless, Everything, FilmProgress, LightDensity, SceneGeometry, Shot, Sky, Target, Textures,
+    Displayed, Endless, Everything, FilmProgress, General, LightDensity, SceneGeometry, Shot, Sky, Target, Textures,
 };
 use crate::systems::run::counted;
 
@@ -71,6 +72,7 @@ fn scene_changed(
     density: Res<LightDensity>,
     sky: Res<Sky>,
     endless: Res<Endless>,
+    general: Res<General>,
 ) -> bool {
     geometry.is_changed()
         || triangles.is_changed()
@@ -81,6 +83,7 @@ fn scene_changed(
         || density.is_changed()
         || sky.is_changed()
         || endless.is_changed()
+        || general.is_changed()
 }
 
 /// What the kernel is to know of the scene, as the systems before made it.
@@ -94,6 +97,7 @@ struct Packed<'w> {
     lights: Res<'w, GpuTable<LightRecord>>,
     density: Res<'w, LightDensity>,
     sky: Res<'w, Sky>,
+    general: Res<'w, General>,
 }
 
 /// What comes of it.
@@ -217,6 +221,7 @@ fn shoot(
         reuse: render.reuse == Reuse::Tiles && render.integrator == Integrator::Path && render.max_depth > 2,
         sobol: render.sampler == Sampler::Sobol,
     };
-    let features = needs.features().into_iter().map(str::to_owned).collect();
+    let idle = FEATURES.iter().filter(|feature| packed.general.0 && feature.can_be_idle).map(|feature| feature.name);
+    let features = needs.features().into_iter().chain(idle).map(str::to_owned).collect();
     Ok(Shot { params, exponent, features })
 }

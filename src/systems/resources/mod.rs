@@ -12,7 +12,7 @@ pub use device::{Budget, Device, Frame, Live, Spent, Tree, TreeBuilder, Viewed};
 pub use film::{Batch, FilmProgress, Sweep};
 pub use governor::Governor;
 pub use scene::{
-    Displayed, Endless, Everything, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief, SceneGeometry,
-    Shot, Sky, SkyCell, SkySource, Target, Texel,
+    Displayed, Endless, Everything, General, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief,
+    SceneGeometry, Shot, Sky, SkyCell, SkySource, Target, Texel,
 };
 pub use textures::{TextureSlot, TextureUse, Textures, texture_set};

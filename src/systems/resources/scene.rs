@@ -210,6 +210,10 @@ pub struct Displayed(pub Look);
 #[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Endless(pub bool);
 
+/// The trace kernels are compiled with all that can be idle in them.
+#[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct General(pub bool);
+
 /// Samples a pixel to reach.
 #[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Target(pub u32);
