@@ -25,6 +25,7 @@ mod extend;
 #[cfg(unix)]
 mod files;
 mod film;
+mod film_error;
 mod furnace;
 mod fuzz;
 mod glass;

@@ -6,8 +6,9 @@ use glam::UVec2;
 use crate::components::Crop;
 use crate::cpu::display;
 use crate::cpu::film::{film_mean, half_mean, pixel_mean};
-use crate::cpu::film_error::relative_error;
+use crate::cpu::film_error::{FilmError, Place, film_error};
 use crate::layout::film::FilmPixel;
+use crate::layout::trace::TraceParams;
 use crate::layout::view::ViewMode;
 use crate::parallel;
 use crate::passes::lattice::Lattice;
@@ -35,7 +36,7 @@ pub struct FilmImage {
     /// Mean over all pixels.
     pub mean: [f64; 3],
     /// Estimated relMSE of `rgb`; 0 where no pixel has two samples.
-    pub relative_error: f64,
+    pub error: FilmError,
 }
 
 /// Reads back what is shown of the film's window, sRGB; none before anything is.
@@ -89,7 +90,7 @@ pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
         halves: [half(0), half(1)],
         spp: before.samples,
         mean: film_mean(&pixels, exponent),
-        relative_error: relative_error(&pixels, shot.window_width as usize, exponent),
+        error: film_error(&pixels, place(&shot), exponent),
         picture,
         pixels,
     })
@@ -109,17 +110,22 @@ fn of_each(pixels: &[FilmPixel], colour: impl Fn(&FilmPixel) -> [f64; 3] + Sync)
 }
 
 /// The film's estimated relMSE; 0 where no pixel has two samples. Sooner known than the whole film is read.
-pub fn read_error(world: &World) -> Result<f64, EngineError> {
+pub fn read_error(world: &World) -> Result<FilmError, EngineError> {
     let shot = world.resource::<Shot>();
     let (size, exponent) = (shot.size(), shot.exponent);
     match (size.min_element(), progress(world).begun) {
         (0, _) => Err(EngineError::EmptyFilm),
-        (_, false) => Ok(0.0),
+        (_, false) => Ok(FilmError::default()),
         (_, true) => {
-            let error = |film: &[FilmPixel]| relative_error(film, size.x as usize, exponent);
+            let error = |film: &[FilmPixel]| film_error(film, place(&shot.params), exponent);
             Ok(world.resource::<Device>().0.look_at("film", (size.x * size.y) as usize, error)?)
         }
     }
+}
+
+/// Where the window's pixels are.
+fn place(params: &TraceParams) -> Place {
+    Place { min: UVec2::new(params.window_x, params.window_y), width: params.window_width as usize }
 }
 
 /// How far the picture's codes are from those of the true film, by the film's own two halves.

@@ -13,6 +13,7 @@ use std::time::{Duration, Instant};
 use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec4};
 
+pub use crate::cpu::film_error::FilmError;
 pub use crate::systems::EngineError;
 pub use crate::systems::resources::{Spent, TextureUse, TreeBuilder};
 pub use debug::DebugRange;
@@ -371,7 +372,7 @@ impl Engine {
     }
 
     /// The film's estimated relMSE, of which nothing else is read; 0 where no pixel has two samples.
-    pub fn relative_error(&self) -> Result<f64, EngineError> {
+    pub fn film_error(&self) -> Result<FilmError, EngineError> {
         film::read_error(&self.world)
     }
 

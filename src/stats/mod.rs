@@ -5,6 +5,7 @@ mod alike;
 pub mod blocks;
 pub mod efficiency;
 pub mod equal_means;
+pub mod looks;
 pub mod metrics;
 pub mod race;
 pub mod sign_flips;

@@ -4,7 +4,7 @@ use clap::Args;
 
 use crate::app::shared::quality::Quality;
 use crate::app::shared::scene::SceneFlags;
-use crate::app::shared::values::{MORE, output, seconds};
+use crate::app::shared::values::{MORE, error, output, seconds};
 use crate::image::Output;
 
 #[derive(Debug, Args)]
@@ -14,11 +14,14 @@ pub struct RenderArguments {
     pub scene: String,
     #[command(flatten)]
     pub flags: SceneFlags,
-    /// Render for so many seconds instead (with --spp: whichever comes first)
+    /// Render until the picture's relMSE is at most this, with 95 % confidence (with --spp or --time: whichever comes first)
+    #[arg(long, value_name = "RELMSE", value_parser = error)]
+    pub error: Option<f64>,
+    /// Render for so many seconds instead (with --spp or --error: whichever comes first)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
     /// How good the picture is to be [default: the scene's number of samples, else good]
-    #[arg(long, value_enum, conflicts_with_all = ["spp", "time"])]
+    #[arg(long, value_enum, conflicts_with_all = ["spp", "time", "error"])]
     pub quality: Option<Quality>,
     /// Write to this file: .png, .exr or .json; may be given several times [default: result/SCENE.png, .exr and .json]
     #[arg(short, value_name = "FILE", value_parser = output)]

@@ -19,11 +19,11 @@ use crate::app::shared::scene::Opened;
 use crate::app::shared::textures::TextureNotices;
 use crate::app::{Exit, Failure};
 use crate::components::Render;
-use crate::engine::{Engine, Progress};
+use crate::engine::{Engine, FilmError, Progress};
 use crate::image::{Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
 use report::{RenderSummary, Seconds};
-use until::{Ended, Until};
+use until::{Ended, Next, Until};
 
 /// Tracing between two polls of the clock and of signals.
 const STEP: Duration = Duration::from_millis(100);
@@ -186,16 +186,16 @@ impl Tracing<'_> {
 
     /// Whether the render is finished, and why. A film that is to have more samples first is given them.
     fn ended(&mut self, step: Progress, over: bool) -> Result<Option<Ended>, Failure> {
-        if step.finished && self.until.quality.is_some() {
-            let error = self.look()?;
-            let Some(spp) = self.until.next(step.spp, error) else { return Ok(Some(Ended::Error)) };
-            self.engine.edit(|world| {
-                for mut render in world.query::<&mut Render>().iter_mut(world) {
-                    render.spp = spp;
-                }
-            });
-        } else if step.finished {
-            return Ok(Some(Ended::Samples));
+        if step.finished {
+            let until = self.until;
+            match until.next(step.spp, || self.look())? {
+                Next::End(ended) => return Ok(Some(ended)),
+                Next::Samples(spp) => self.engine.edit(|world| {
+                    for mut render in world.query::<&mut Render>().iter_mut(world) {
+                        render.spp = spp;
+                    }
+                }),
+            }
         }
         Ok(match (self.interrupt.requested(), over) {
             (true, _) => Some(Ended::Interrupted),
@@ -206,9 +206,9 @@ impl Tracing<'_> {
     }
 
     /// Reads the film's error, and shows it.
-    fn look(&mut self) -> Result<f64, Failure> {
+    fn look(&mut self) -> Result<FilmError, Failure> {
         let begin = Instant::now();
-        let error = self.engine.relative_error().map_err(Failure::engine)?;
+        let error = self.engine.film_error().map_err(Failure::engine)?;
         self.looking += begin.elapsed();
         self.meter.set_error(error, begin.elapsed());
         Ok(error)

@@ -8,7 +8,7 @@ use super::arguments::RenderArguments;
 use super::until::{Ended, Until};
 use crate::app::shared::describe::Described;
 use crate::app::shared::quality::Quality;
-use crate::engine::{FilmImage, Report};
+use crate::engine::{FilmError, FilmImage, Report};
 use crate::image::Outputs;
 use crate::layout::film::BadSample;
 use crate::layout::sort::SORT_DIGITS;
@@ -114,6 +114,7 @@ impl RenderSummary<'_> {
             "interrupted": self.ended == Ended::Interrupted,
             "ended_by": self.ended.word(),
             "quality": self.until.quality.map(Quality::name),
+            "error_wanted": self.until.error,
             "seconds": {
                 "start": self.seconds.start,
                 "load": self.seconds.load,
@@ -131,7 +132,9 @@ impl RenderSummary<'_> {
             "rays_per_second": self.rays_per_second(),
             "mean": film.mean,
             // Null with one sample a pixel: that gives no error.
-            "relative_error": (film.spp > 1).then_some(film.relative_error),
+            "relative_error": self.error().map(|error| error.relmse),
+            // It is at most this, with 95 % confidence.
+            "relative_error_bound": self.error().map(|error| error.bound),
             "bad_samples": report.bad_samples,
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
             "passes": passes,
@@ -170,6 +173,11 @@ impl RenderSummary<'_> {
         })
     }
 
+    /// What the film tells of its error; with one sample a pixel, nothing.
+    fn error(&self) -> Option<FilmError> {
+        (self.film.spp > 1).then_some(self.film.error)
+    }
+
     fn rays_per_second(&self) -> f64 {
         match self.report.seconds_trace {
             seconds if seconds > 0.0 => self.report.rays as f64 / seconds,
@@ -190,13 +198,12 @@ impl RenderSummary<'_> {
             report.triangles,
             self.seconds.total,
             self.rays_per_second() * 1e-6,
-            match film.spp {
-                0 | 1 => "too few samples to tell the error".to_owned(),
-                _ => format!("estimated relMSE {:.2e}", film.relative_error),
+            match self.error() {
+                None => "too few samples to tell the error".to_owned(),
+                Some(FilmError { relmse, bound }) => format!("relMSE {relmse:.1e} (95 %: below {bound:.1e})"),
             },
         );
-        let error = (film.spp > 1).then_some(film.relative_error);
-        if let Some(line) = self.until.line(self.ended, error) {
+        if let Some(line) = self.until.line(self.ended, self.error()) {
             text += &format!("  {line}\n");
         }
         if stats {

@@ -1,12 +1,10 @@
 //! When a render is finished: after so many samples, after so long, or once it is good enough.
 
 use super::arguments::RenderArguments;
-use crate::app::shared::looks::{MOST_SPP, next_look};
 use crate::app::shared::progress::Goal;
 use crate::app::shared::quality::Quality;
-
-/// The first look at a film whose error is to be small enough: the estimate of fewer samples is no use.
-const FIRST_LOOK: u32 = 16;
+use crate::engine::FilmError;
+use crate::stats::looks::{FIRST_LOOK, MOST_SPP, next_look};
 
 /// What ends a render; whichever comes first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,7 +13,9 @@ pub struct Until {
     pub spp: Option<u32>,
     /// Seconds of tracing.
     pub seconds: Option<f64>,
-    /// Without those of the command line or the scene: how good the picture is to be.
+    /// The relMSE that the picture is at most to have.
+    pub error: Option<f64>,
+    /// What it is called where no flag gave it as a number; then its seconds count, from the start of the process.
     pub quality: Option<Quality>,
 }
 
@@ -46,25 +46,37 @@ impl Ended {
 impl Until {
     /// What flags say, over what the scene does: `of_scene` are its samples a pixel, where it gives them.
     pub fn of(arguments: &RenderArguments, of_scene: Option<u32>) -> Self {
-        let by_flag = arguments.flags.gives_samples();
-        match (arguments.time, arguments.quality) {
+        let RenderArguments { time, error, quality, .. } = *arguments;
+        let by_flag = of_scene.filter(|_| arguments.flags.gives_samples());
+        match (time.is_some() || error.is_some(), quality) {
             // The scene's own number of samples is no limit.
-            (Some(seconds), _) => Self { spp: of_scene.filter(|_| by_flag), seconds: Some(seconds), quality: None },
-            (None, Some(quality)) => Self { spp: None, seconds: None, quality: Some(quality) },
-            (None, None) if of_scene.is_some() => Self { spp: of_scene, seconds: None, quality: None },
-            (None, None) => Self { spp: None, seconds: None, quality: Some(Quality::default()) },
+            (true, _) => Self { spp: by_flag, seconds: time, error, quality: None },
+            (false, Some(quality)) => Self::good_enough(quality),
+            (false, None) if of_scene.is_some() => Self { spp: of_scene, seconds: None, error: None, quality: None },
+            (false, None) => Self::good_enough(Quality::default()),
         }
+    }
+
+    fn good_enough(quality: Quality) -> Self {
+        Self { spp: None, seconds: None, error: Some(quality.error()), quality: Some(quality) }
     }
 
     /// Samples a pixel that the film is to have first.
     pub fn first(&self) -> u32 {
-        self.spp.unwrap_or(if self.quality.is_some() { FIRST_LOOK } else { u32::MAX })
+        let most = self.spp.unwrap_or(u32::MAX);
+        if self.error.is_some() { most.min(FIRST_LOOK) } else { most }
     }
 
-    /// Samples that a finished film is to have next; none where it is as good as it is to be.
-    pub fn next(&self, spp: u32, error: f64) -> Option<u32> {
-        let wanted = self.quality.filter(|quality| error > quality.error() && spp < MOST_SPP);
-        wanted.map(|_| next_look(spp))
+    /// What becomes of a film that has the samples it was to have: it ends, or is to have more. `error` is asked where it matters.
+    pub fn next<E>(&self, spp: u32, error: impl FnOnce() -> Result<FilmError, E>) -> Result<Next, E> {
+        let Some(wanted) = self.error else { return Ok(Next::End(Ended::Samples)) };
+        let bound = error()?.bound;
+        let most = self.spp.unwrap_or(MOST_SPP);
+        Ok(match (bound <= wanted && spp > 1, spp >= most) {
+            (true, _) => Next::End(Ended::Error),
+            (false, true) => Next::End(Ended::Samples),
+            (false, false) => Next::Samples(next_look(spp, bound / wanted).min(most)),
+        })
     }
 
     /// What is shown as progress, of a picture of so many pixels. `spent` are the seconds that the process has run.
@@ -72,20 +84,35 @@ impl Until {
         Goal {
             samples: self.spp.map(|spp| pixels.saturating_mul(u64::from(spp))),
             seconds: self.seconds.or(self.quality.map(|quality| (quality.seconds() - spent).max(0.0))),
-            error: self.quality.map(Quality::error),
+            error: self.error,
         }
     }
 
-    /// What the picture's quality comes to, for a user; nothing where samples or time were given. `error` is none where the film is too
+    /// Whether the picture is what was wanted, for a user; nothing where no error was to be reached. `error` is none where the film is too
     /// young to know it.
-    pub fn line(&self, ended: Ended, error: Option<f64>) -> Option<String> {
-        let quality = self.quality.filter(|_| ended != Ended::Interrupted)?;
-        let error = error.map_or("unknown".to_owned(), |error| format!("{error:.1e}"));
-        let after = match ended {
-            Ended::Time => format!(", ended after {} s", quality.seconds()),
-            Ended::Samples | Ended::Error | Ended::Interrupted => String::new(),
+    pub fn line(&self, ended: Ended, error: Option<FilmError>) -> Option<String> {
+        let wanted = self.error.filter(|_| ended != Ended::Interrupted)?;
+        let error = error.map_or("unknown".to_owned(), |error| format!("at most {:.1e}", error.bound));
+        let after = match (ended, self.quality) {
+            (Ended::Time, Some(quality)) => format!(", ended after {} s", quality.seconds()),
+            (Ended::Time, None) => ", ended by --time".to_owned(),
+            (Ended::Samples, _) => ", ended by its samples".to_owned(),
+            (Ended::Error | Ended::Interrupted, _) => String::new(),
         };
-        let (name, wanted) = (quality.name(), quality.error());
-        Some(format!("{name}: error {error}, wanted {wanted:.0e}{after}; --quality, --spp or --time choose otherwise"))
+        Some(match self.quality {
+            Some(quality) => format!(
+                "{}: error {error}, wanted {wanted:.0e}{after}; --quality, --error, --spp or --time choose otherwise",
+                quality.name()
+            ),
+            None => format!("error {error}, wanted {wanted:e}{after}"),
+        })
     }
+}
+
+/// What becomes of a film.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Next {
+    End(Ended),
+    /// It is to have so many samples a pixel.
+    Samples(u32),
 }

@@ -8,7 +8,6 @@ pub(super) mod failure;
 pub(super) mod flip;
 pub(super) mod interrupt;
 pub(super) mod key;
-pub(super) mod looks;
 pub(super) mod opening;
 pub(super) mod output;
 pub(super) mod parameters;

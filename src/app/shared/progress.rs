@@ -7,6 +7,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::compiling::{is_due, line};
 use super::output;
+use crate::engine::FilmError;
 
 /// Letters of a line: one less than the narrowest terminal that there still is.
 const COLUMNS: usize = 79;
@@ -31,7 +32,7 @@ pub struct Goal {
     pub samples: Option<u64>,
     /// Seconds of tracing.
     pub seconds: Option<f64>,
-    /// The film's relMSE, by its own estimate.
+    /// The relMSE that the film is at most to have.
     pub error: Option<f64>,
 }
 
@@ -48,7 +49,7 @@ pub struct Meter {
     begin: Instant,
     samples: u64,
     spp: u32,
-    error: Option<f64>,
+    error: Option<FilmError>,
     looked: Instant,
     look_cost: Duration,
     line: Instant,
@@ -148,8 +149,8 @@ impl Meter {
         self.shown != Shown::Nothing && self.spp >= 2 && self.looked.elapsed() >= due
     }
 
-    /// Takes note of the film's estimated relMSE, and of what it cost to learn it.
-    pub fn set_error(&mut self, error: f64, cost: Duration) {
+    /// Takes note of what the film tells of its relMSE, and of what it cost to learn it.
+    pub fn set_error(&mut self, error: FilmError, cost: Duration) {
         (self.error, self.look_cost, self.looked) = (Some(error), cost, Instant::now());
     }
 
@@ -163,7 +164,7 @@ impl Meter {
         let by_samples = self.goal.samples.map_or(0.0, |goal| self.samples as f64 / goal.max(1) as f64);
         let by_time = self.goal.seconds.map_or(0.0, |goal| self.elapsed().as_secs_f64() / goal);
         // The error falls with the samples.
-        let by_error = self.goal.error.zip(self.error).map_or(0.0, |(goal, error)| goal / error);
+        let by_error = self.goal.error.zip(self.error).map_or(0.0, |(goal, error)| goal / error.bound);
         let done = by_samples.max(by_time).max(by_error);
         if done.is_nan() { 0.0 } else { done.clamp(0.0, 1.0) }
     }
@@ -173,7 +174,7 @@ impl Meter {
         let done = self.done();
         let mut text = format!("{} spp", self.spp);
         if let Some(error) = self.error {
-            text += &format!(", error {error:.1e}");
+            text += &format!(", error {:.1e}", error.relmse);
         }
         if done > 0.0 && done < 1.0 {
             text += &format!(", {} left", clock(seconds * (1.0 - done) / done));

@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 
-/// A picture's quality by the film's own estimate of its relMSE, with a limit of time for slow devices.
+/// A picture's quality: a relMSE that it is at most to have, with 95 % confidence, and a limit of time for slow devices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Quality {
     /// To look at the light: relMSE 2e-2, or what 15 s give

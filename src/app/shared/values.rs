@@ -32,6 +32,14 @@ pub fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A relMSE.
+pub fn error(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(error) if (1e-9..=1e3).contains(&error) => Ok(error),
+        _ => Err("expected a relMSE from 1e-9 to 1e3".into()),
+    }
+}
+
 /// An exposure.
 pub fn stops(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {

@@ -7,7 +7,7 @@ use glam::UVec2;
 
 use crate::app::Failure;
 use crate::app::shared::describe::quoted;
-use crate::app::shared::values::{define, seconds, size};
+use crate::app::shared::values::{define, error, seconds, size};
 use crate::scene::Define;
 use crate::scene::variants::{Family, Goal};
 
@@ -19,7 +19,7 @@ pub struct FamilyFlags {
     /// Seconds of tracing of every member instead; of several, it is looked at after each
     #[arg(long, value_name = "SECONDS,..", value_delimiter = ',', value_parser = seconds, conflicts_with = "spp")]
     pub time: Vec<f64>,
-    /// Trace every member until its relMSE is estimated to be at most this
+    /// Trace every member until its relMSE is at most this, with 95 % confidence
     #[arg(long, value_name = "RELMSE", value_parser = error, conflicts_with_all = ["spp", "time"])]
     pub error: Option<f64>,
     /// Size of all pictures in pixels, each side 1 to 16384 [default: each scene's own]
@@ -109,12 +109,5 @@ impl FamilyFlags {
                 Err(Failure::usage(message, "give a folder of shaders"))
             }
         }
-    }
-}
-
-fn error(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(error) if (1e-9..=1e3).contains(&error) => Ok(error),
-        _ => Err("expected a relMSE from 1e-9 to 1e3".into()),
     }
 }

@@ -7,16 +7,13 @@ use bevy_ecs::change_detection::DetectChangesMut;
 use super::record::Snapshot;
 use super::stage::{Stage, Tally};
 use super::watcher::Watcher;
-use crate::app::shared::looks::{MOST_SPP, next_look};
 use crate::components::Render;
 use crate::engine::{EngineError, FilmImage};
 use crate::scene::variants::Goal;
+use crate::stats::looks::{FIRST_LOOK, MOST_SPP, next_look};
 
 /// Tracing between two polls of signals.
 const STEP: Duration = Duration::from_millis(100);
-
-/// The first look at a film whose error is to be small enough.
-const FIRST_LOOK: u32 = 4;
 
 /// A film at its goal.
 pub struct Traced {
@@ -66,10 +63,11 @@ pub fn trace(
                 if !reach(stage, Render { spp, ..render }, None, watcher)? {
                     return Ok(None);
                 }
-                if spp >= MOST_SPP || stage.engine.relative_error()? <= *error {
+                let bound = stage.engine.film_error()?.bound;
+                if spp >= MOST_SPP || bound <= *error {
                     break;
                 }
-                spp = next_look(spp);
+                spp = next_look(spp, bound / error);
             }
         }
     }
@@ -125,5 +123,5 @@ fn look(stage: &mut Stage) -> Result<Snapshot, EngineError> {
 }
 
 fn snapshot(stage: &Stage, film: &FilmImage, rays: u64) -> Snapshot {
-    Snapshot { spp: film.spp, seconds: stage.engine.film_seconds(), rays, relmse: film.relative_error }
+    Snapshot { spp: film.spp, seconds: stage.engine.film_seconds(), rays, relmse: film.error.relmse }
 }

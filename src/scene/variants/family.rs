@@ -87,6 +87,6 @@ pub enum Goal {
     Samples(Vec<u32>),
     /// After so many seconds of tracing, ascending.
     Seconds(Vec<f64>),
-    /// When its relMSE is estimated to be at most this.
+    /// When its relMSE is at most this, with 95 % confidence.
     Error(f64),
 }

@@ -92,7 +92,7 @@ pub fn film(
             seconds: report.seconds_trace - before,
             rays: report.rays,
             relmse: relative_mse(&film.rgb, &reference.rgb) - reference.record.relmse,
-            claimed: (spp > 1).then_some(film.relative_error),
+            claimed: (spp > 1).then_some(film.error.relmse),
         });
     }
     Ok(Some((Run { seed: render.seed, snapshots }, bad_samples)))

@@ -80,7 +80,7 @@ impl Shelf {
             by: TRUSTED.to_string(),
             seed: SEED,
             spp,
-            relmse: image.relative_error,
+            relmse: image.error.relmse,
             adapter: report.adapter,
             seconds: report.seconds_trace - seconds,
         };

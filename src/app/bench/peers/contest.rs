@@ -143,7 +143,7 @@ impl Contest<'_> {
         if !self.tracer.finish(monitor).map_err(Failure::engine)? {
             return Ok(None);
         }
-        let error = self.tracer.film().map_err(Failure::engine)?.relative_error;
+        let error = self.tracer.film().map_err(Failure::engine)?.error.relmse;
         let needed = f64::from(PILOT) * error / arguments.to * QUIETER;
         Ok(Some((needed.clamp(256.0, f64::from(1u32 << 20)) as u32).next_power_of_two()))
     }

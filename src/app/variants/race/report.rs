@@ -8,7 +8,7 @@ use crate::app::variants::blank::blank;
 use crate::app::variants::jobs::repeat;
 use crate::app::variants::record::{Record, Snapshot, State};
 use crate::app::variants::survey::Survey;
-use crate::engine::FilmImage;
+use crate::engine::{FilmError, FilmImage};
 use crate::image::srgb::srgb_byte;
 use crate::scene::variants::Family;
 
@@ -46,7 +46,7 @@ impl Raced<'_> {
                 adapter: &self.adapter,
             };
             let snapshot =
-                Snapshot { spp: film.spp, seconds: racer.seconds, rays: racer.rays, relmse: film.relative_error };
+                Snapshot { spp: film.spp, seconds: racer.seconds, rays: racer.rays, relmse: film.error.relmse };
             let record = Record {
                 snapshots: vec![snapshot],
                 mean: film.mean,
@@ -78,7 +78,8 @@ fn film(racer: &Racer, rgb: Vec<[f32; 3]>) -> FilmImage {
         picture,
         spp: racer.spp,
         mean,
-        relative_error: racer.relmse(),
+        // What a race's pairs of films say comes without a bound.
+        error: FilmError { relmse: racer.relmse(), bound: f64::INFINITY },
     }
 }
 

@@ -160,7 +160,7 @@ impl Readings {
         }
         self.error = None;
         if self.spp > 1 {
-            let error = engine.relative_error()?;
+            let error = engine.film_error()?.relmse;
             self.error = Some(error);
             self.add_point(now.duration_since(began).as_secs_f64(), error);
         }
