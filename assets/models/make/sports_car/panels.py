@@ -153,9 +153,7 @@ def cut(skin):
     skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .02), pick(tail_wide, "tail_panel"))
     skin.region("diffuser", Outline(DIFFUSER, FRONT, .03), pick(tail_wide, "tail_bumper"))
     skin.region("valance", valance, pick(around_rear, "tail_bumper"))
-    skin.region("vent", Outline(VENT, FRONT, .012), pick(tail_wide, "tail_bumper"))
-    for y in (.462, .512):
-        skin.region("vent_blade", lambda p: np.abs(p[:, 1] - y - .08 * (p[:, 0] - .79)) - .006, pick(tail_wide, "vent"))
+    skin.region("vent", Outline(VENT, FRONT, .03), pick(tail_wide, "tail_bumper"))
     for _ in range(2):
         skin.coarsen()
     for _ in range(6):

@@ -62,6 +62,6 @@ def sculpt(p):
     p = p.copy()
     p[:, 0] += out
     on_top = (z > .98) & (y > .4) & (x < .6)
-    ridge = bump((x - (.29 + .07 * (z - 1))) / .17) * step((2.26 - z) / .45) * step((z - .95) / .1)
+    ridge = bump((x - (.29 + .07 * (z - 1))) / .17) * step((2.26 - z) / .45) * step((z - 1.04) / .30)
     p[:, 1] += np.where(on_top, .016 * ridge - ramp(x, z), 0)
     return p

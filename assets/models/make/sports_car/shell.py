@@ -100,11 +100,10 @@ def openings(skin):
     out = mouths(skin)
     out += pair(skin.part("intake_frame", "paint", {"intake_frame"}, offset=-.001, fold=.03, lip=.006))
     out += pair(skin.part("bonnet_vent_frame", "gloss_black", {"bonnet_vent_frame"}, offset=-.002, fold=.01))
-    out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=.001, fold=.07, lip=.004))
-    out += pair(skin.part("vent_blades", "gloss_black", {"vent_blade"}, offset=-.004, fold=.02, lip=.003))
+    out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=-.006, fold=.07, lip=.004, into=(-1, 0, 0)))
     for name, depth, axes, back, ahead in (("vent", .045, (0, 1), .09, (0, 0, 1.0)), ("intake", .15, (2, 1), .20, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
         push = lambda d: (lambda p, n: p + np.array(ahead) * d)
-        out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, fold=back, lip=.004, walls=True))
+        out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, fold=back, lip=.004, walls=True, into=ahead))
         out += pair(planar(skin.part(name + "_mesh", "grille", {name, name + "_blade"}, shift=push(depth)), axes, 14))
         out += pair(skin.part(name + "_back", "gap_black", {name, name + "_blade"}, shift=push(back)))
     return out

@@ -132,6 +132,19 @@ def exhausts():
     return pair(sleeves) + pair(inside)
 
 
+def vent_blades(whole):
+    """Three blades across the outlet at each corner, as the bumper runs there."""
+    rows = []
+    for y in (.452, .486, .520):
+        path = np.array([on_face(whole, x, y + .08 * (x - .79), -.012, -1)[0] for x in np.linspace(.705, .875, 9)])
+        rows.append(oriented(sweep("vent_blades", "gloss_black", path, squared_section(.004, .013), 40)))
+    return joined("vent_blades", rows)
+
+
+def squared_section(high, deep):
+    return [(-high, -deep), (high, -deep), (high, deep), (-high, deep)]
+
+
 def all_parts(skin, whole):
     walls = both(skin.part("diffuser_walls", "trim_black", {"diffuser"}, fold=.10, lip=.004, walls=True))
-    return recess(skin) + [name(whole), stop_light(whole), cavity(), walls] + number() + exhausts() + lamps(skin, whole)
+    return recess(skin) + [name(whole), stop_light(whole), cavity(), walls] + number() + exhausts() + lamps(skin, whole) + pair(vent_blades(whole))
