@@ -225,7 +225,12 @@ class Skin:
             n = tilted(n, p, self.points[ids], faces)
         if not fold:
             return Part(name, material, p, untwisted(p, n, faces), n)
-        extra = folded(p, out, faces, fold, lip)
+        extra = list(folded(p, out, faces, fold, lip))
+        if callable(offset) and into is None:
+            # The rounded edge starts from the normals that it was made from, not from those that were turned.
+            first = len(n) + len(extra[2])
+            extra[2] = np.concatenate([extra[2], out])
+            extra[3] = [[c + first if c < len(n) else c for c in row] for row in extra[3]]
         faces = untwisted(p, n, faces)
         if walls:
             return Part(name, material, np.concatenate([p, extra[0]]), extra[1], np.concatenate([n, extra[2]]), extra[3]).flipped()
