@@ -7,10 +7,10 @@ Metres; x is to the left, y up, z ahead; z = 0 is half-way between the axles. A 
 import numpy as np
 
 from fair import fair
+from sculpt import sculpt
 from skin import Skin
 from subdivide import subdivide
 
-FRONT_AXLE, REAR_AXLE = 1.325, -1.325
 # z, then (x, y) of the columns 0 to 9, then what is added to z of each column.
 SECTIONS = (
     (2.40, ((0, .425), (.30, .424), (.52, .426), (.68, .438), (.81, .462), (.885, .455), (.925, .40), (.935, .32), (.93, .20), (.91, .115)),
@@ -51,12 +51,9 @@ SECTIONS = (
 FRONT = ((.362, 2.402), (.280, 2.352), (.185, 2.358), (.115, 2.410))
 REAR = ((.785, -2.080), (.622, -2.055), (.520, -2.160), (.345, -2.130))
 # Sharpness along columns from one section to another, and along sections.
-CREASES = ((2, 7, 13, .7), (3, 7, 12, 1.6), (5, 1, 4, 1.4), (5, 4, 16, 4.0), (4, 0, 6, .4), (6, 4, 6, 1.6), (6, 6, 12, 4.5), (6, 12, 13, 1.6), (8, 4, 6, 1.3), (8, 6, 12, 3.6))
+CREASES = ((2, 7, 13, .7), (3, 7, 12, 1.6), (5, 4, 16, 4.0), (4, 0, 6, .4), (6, 4, 6, 1.6), (6, 6, 12, 4.5), (6, 12, 13, 1.6), (8, 4, 6, 1.3), (8, 6, 12, 3.6))
 # Of the rear face: sharpness along its rows.
 REAR_CREASES = ((2, 1.2), (3, 2.0))
-
-# Rounds of fairing at four levels of subdivision.
-ROUNDS = 40
 
 
 def cage():
@@ -119,41 +116,6 @@ def both_sides(points, faces, tags, creases):
     return np.array(points, float), faces, tags + [None] * count, creases
 
 
-def bump(x):
-    """1 at 0, falling smoothly to 0 at 1."""
-    x = np.clip(np.abs(x), 0, 1)
-    return (1 - x * x) ** 2
-
-
-def step(x):
-    x = np.clip(x, 0, 1)
-    return x * x * (3 - 2 * x)
-
-
-def undercut(y, z):
-    """How far the ends before and behind the wheels are drawn in towards the road, below a crease that rises outwards."""
-    ahead, behind = step((z - 1.72) / .10), step((-1.76 - z) / .10)
-    crease = .235 + .10 * np.clip(np.abs(z) - 1.75, 0, .4)
-    return (ahead + behind) * .040 * np.clip((crease - y) / .14, 0, 1) ** .8
-
-
-def sculpt(p):
-    """What the cage is too coarse for: flared arches, the undercut of the ends, a crease on the bonnet."""
-    x, y, z = p.T
-    side = step((x - .70) / .2)
-    out = np.zeros_like(x)
-    for centre, height, radius, flare in ((FRONT_AXLE, .345, .370, .032), (REAR_AXLE, .362, .389, .028)):
-        r = np.hypot(z - centre, y - height)
-        out += side * flare * bump((r - radius) / .13) * (.7 + .3 * step((y - .12) / .15))
-    out -= undercut(y, z) * step((x - .2) / .3)
-    p = p.copy()
-    p[:, 0] += out
-    on_top = (z > .98) & (y > .4)
-    ridge = bump((x - (.29 + .07 * (z - 1))) / .14) * step((2.26 - z) / .45) * step((z - .95) / .1)
-    p[:, 1] += np.where(on_top, .016 * ridge * (x < .56), 0)
-    return p
-
-
 def body(levels=4):
     """The left half of the body's surface, x >= 0."""
     points, faces, tags, creases = cage()
@@ -164,8 +126,7 @@ def body(levels=4):
     half = points[used]
     half[np.abs(half[:, 0]) < 1e-7, 0] = 0
     quads = [[index[v] for v in faces[k]] for k in keep]
-    # The finer the surface, the less of it a round reaches.
-    half = fair(half, quads, round(ROUNDS * 4.0 ** (levels - 4)))
+    half = fair(half, quads, levels)
     skin = Skin(sculpt(half), quads,
                 [tags[history[0][k]] for k in keep], [history[levels - 1][k] for k in keep], [history[levels - 2][k] for k in keep])
     skin.shade()

@@ -68,7 +68,24 @@ def splitter(skin):
     inner = p - out * .05
     outline = np.concatenate([outer, inner[::-1], (inner * (-1, 1))[1:], (outer * (-1, 1))[::-1][:-1]])
     blade = plate("splitter", "trim_black", outline, .100, .116)
-    return [planar(blade, (0, 2), 30)]
+    edge = np.concatenate([outer[::-1], (outer * (-1, 1))[1:]])
+    rolled = sweep("splitter_edge", "gloss_black", np.stack([edge[:, 0], 0 * edge[:, 0] + .108, edge[:, 1]], 1), disk(.0105, 10), 60)
+    return [planar(blade, (0, 2), 30), oriented(rolled)]
+
+
+def side_blades():
+    """A blade along the foot of each sill, thinner outwards, that turns up into a fin before the rear wheel."""
+    z = np.array([.915, .86, .74, .5, .2, -.1, -.4, -.64, -.78, -.86, -.90])
+    x = .930 + .046 * np.array([0, .45, .85, 1, 1, 1, 1, 1, 1, .9, .7])
+    path = np.stack([x, np.full(len(z), .106), z], 1)
+    section = [(-.055, -.008), (.008, -.008), (.014, -.004), (.014, .000), (.008, .004), (-.055, .010)]
+    points = np.array([(p[0] + u, p[1] + v, p[2]) for p in path for u, v in section])
+    n, m = len(path), len(section)
+    faces = [[i * m + j, (i + 1) * m + j, (i + 1) * m + (j + 1) % m, i * m + (j + 1) % m] for i in range(n - 1) for j in range(m)]
+    faces += [list(range(m)), [(n - 1) * m + j for j in range(m)][::-1]]
+    blade = oriented(smooth("side_blade", "gloss_black", points, faces, 25))
+    fin = plate("side_blade_fin", "gloss_black", [(.104, -.60), (.128, -.74), (.190, -.845), (.196, -.872), (.104, -.885)], .978, .986, axes=(1, 2), up=0)
+    return pair(blade) + pair(fin)
 
 
 def diffuser():
@@ -102,14 +119,17 @@ def mirrors():
     for t, half, height in ((0, .100, .043), (.08, .108, .049), (.30, .107, .048), (.60, .098, .040), (.85, .078, .027), (1, .046, .012)):
         u, v = squared(half, height, .5, lean=.20)
         rings.append(np.stack([x + u - .050 * t ** 1.5, y + v - .022 * t, z + .190 * t + .018 * (-u / .1) * (1 - .5 * t)], 1))
-    shell = soft_loft("mirror", "paint", rings, 1)
+    shell = soft_loft("mirror", "paint", rings, 2)
     u, v = squared(.089, .036, .5, 28, .20)
     glass = np.stack([x + u, y + v, z - .004 - .18 * u], 1)
+    below = [k for k, f in enumerate(shell.faces) if shell.points[f, 1].mean() < y - .012 - .02 * (shell.points[f, 2].mean() - z) / .19]
+    foot = shell.only(lambda k: k in set(below), "gloss_black").moved(name="mirror_foot")
+    shell = shell.only(lambda k: k not in set(below))
     pane = smooth("mirror_pane", "mirror", glass, [list(range(len(u)))[::-1]], 30)
     edge = sweep("mirror_edge", "gloss_black", glass + (0, 0, .004), disk(.0055, 8), 60, closed=True)
     legs = [mirror_arm()]
     out = []
-    for part in (shell, pane, oriented(edge), joined("mirror_legs", legs)):
+    for part in (shell, foot, pane, oriented(edge), joined("mirror_legs", legs)):
         out += pair(part)
     return out
 
@@ -130,4 +150,4 @@ def wipers(skin):
 
 
 def all_parts(skin):
-    return wells() + floor() + splitter(skin) + diffuser() + mirrors() + wipers(skin)
+    return wells() + floor() + splitter(skin) + side_blades() + diffuser() + mirrors() + wipers(skin)

@@ -1,4 +1,4 @@
-"""Fairing: a dense surface is smoothed a little, so that highlights run along it in even lines; its creases stay."""
+"""Fairing: of all surfaces near a given one, that whose curvature is most even, so that highlights run along it in calm lines; its creases stay."""
 
 import numpy as np
 
@@ -6,6 +6,10 @@ from mesh import unit
 
 # An edge is a crease where its faces meet by more than this, in degrees.
 CREASE = 13.0
+# Of the finest surface: how much evenness counts beside staying where it was. Waves shorter than about a quarter of a metre go.
+EVEN = 600.0
+# What is left of the error when the solver stops.
+DONE = 1e-9
 
 
 def edges_of(points, faces):
@@ -25,22 +29,56 @@ def edges_of(points, faces):
     return ends, np.where(twice, bend < np.cos(np.radians(CREASE)), ~middle)
 
 
-def fair(points, faces, rounds):
-    """The points of a surface of quads, moved in some rounds half-way to the mean of their neighbours; those on a crease, of their neighbours
-    along it. Where creases meet or end, none is moved."""
-    edges, crease = edges_of(points, faces)
-    axis = np.abs(points[:, 0]) < 1e-7
-    n = len(points)
-    lines = np.bincount(edges[crease].ravel(), minlength=n)
-    along = (lines == 2) | (axis & (lines == 1))
-    pairs = np.concatenate([edges, edges[:, ::-1]])
-    sharp = np.concatenate([crease, crease])
-    used = np.where(along[pairs[:, 0]], sharp, lines[pairs[:, 0]] == 0)
-    a, b = pairs[used].T
-    count = np.bincount(a, minlength=n)
-    p = points.copy()
-    for _ in range(rounds):
-        mean = np.stack([np.bincount(a, p[b, k], n) for k in range(3)], 1) / np.maximum(count, 1)[:, None]
-        p = np.where(count[:, None] > 0, (p + mean) / 2, p)
-        p[axis, 0] = 0
-    return p
+class Laplacian:
+    """How far each point lies from the mean of its neighbours; one on a crease, from those along it; where creases meet or end, nothing."""
+
+    def __init__(self, points, faces):
+        edges, crease = edges_of(points, faces)
+        axis = np.abs(points[:, 0]) < 1e-7
+        self.count = len(points)
+        lines = np.bincount(edges[crease].ravel(), minlength=self.count)
+        along = (lines == 2) | (axis & (lines == 1))
+        pairs = np.concatenate([edges, edges[:, ::-1]])
+        sharp = np.concatenate([crease, crease])
+        used = np.where(along[pairs[:, 0]], sharp, lines[pairs[:, 0]] == 0)
+        self.a, self.b = pairs[used].T
+        # A neighbour of the middle line stands for its mirror image as well.
+        weight = np.where(axis[self.a] & ~axis[self.b], 2.0, 1.0)
+        total = np.bincount(self.a, weight, self.count)
+        self.weight = weight / total[self.a]
+        self.some = total > 0
+        self.fixed = ~self.some
+
+    def times(self, v):
+        return np.where(self.some, v - np.bincount(self.a, self.weight * v[self.b], self.count), 0)
+
+    def transposed(self, v):
+        v = np.where(self.some, v, 0)
+        return v - np.bincount(self.b, self.weight * v[self.a], self.count)
+
+
+def fair(points, faces, levels):
+    """The points of a surface of quads that was subdivided so often."""
+    laplacian = Laplacian(points, faces)
+    even = EVEN * 16.0 ** (levels - 4)
+    free = np.where(laplacian.fixed, 0.0, 1.0)
+    apply = lambda v: v + even * free * laplacian.transposed(laplacian.times(v))
+    out = points.copy()
+    for k in range(3):
+        held = np.abs(points[:, 0]) < 1e-7 if k == 0 else np.zeros(len(points), bool)
+        out[:, k] += solve(lambda v: np.where(held, v, apply(np.where(held, 0, v)) * free + (1 - free) * v), -even * free * np.where(held, 0, laplacian.transposed(laplacian.times(points[:, k]))))
+    return np.round(out, 7)
+
+
+def solve(apply, right):
+    """Conjugate gradients: the v for which `apply(v)` is `right`."""
+    v, left = np.zeros_like(right), right.copy()
+    way, size = left.copy(), left @ left
+    goal = size * DONE ** 2
+    while size > goal:
+        ahead = apply(way)
+        t = size / (way @ ahead)
+        v, left = v + t * way, left - t * ahead
+        size, before = left @ left, size
+        way = left + size / before * way
+    return v

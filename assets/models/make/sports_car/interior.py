@@ -90,7 +90,7 @@ def console():
 
 
 def bulkhead():
-    wall = box("bulkhead", "leather_dark", (0, .46, -.605), (1.62, .70, .04), .01)
+    wall = box("bulkhead", "leather_dark", (0, .45, -.605), (1.50, .66, .04), .01)
     shelf = box("parcel_shelf", "alcantara", (0, .80, -.75), (1.30, .02, .36), .008)
     carpet = plate("carpet", "carpet", [(-.86, -.60), (.86, -.60), (.86, .74), (.56, .74), (.56, .86), (-.56, .86), (-.56, .74), (-.86, .74)], .135, .15)
     toe = box("toe_board", "carpet", (0, .40, .86), (1.12, .56, .03), .01)

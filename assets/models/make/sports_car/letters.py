@@ -5,16 +5,16 @@ import numpy as np
 from mesh import joined, smooth, unit
 from shapes import oriented
 
-# Strokes of each letter, in a field of its own: x from 0 to WIDE, y from 0 to 1.
-WIDE = .72
+# Strokes of each letter, in a field of its own: x from 0 to its width, y from 0 to 1.
+WIDTHS = {"L": .62, "U": .74, "C": .72, "E": .64, "R": .70, "N": .86, "A": .88}
 STROKES = {
-    "L": (((0, 1), (0, 0), (.72, 0)),),
-    "U": (((0, 1), (0, .14), (.14, 0), (.58, 0), (.72, .14), (.72, 1)),),
+    "L": (((0, 1), (0, 0), (.62, 0)),),
+    "U": (((0, 1), (0, .16), (.16, 0), (.58, 0), (.74, .16), (.74, 1)),),
     "C": (((.72, 1), (.14, 1), (0, .86), (0, .14), (.14, 0), (.72, 0)),),
-    "E": (((.72, 1), (0, 1), (0, 0), (.72, 0)), ((.10, .5), (.62, .5))),
-    "R": (((0, 0), (0, 1), (.58, 1), (.72, .86), (.72, .58), (.58, .44), (.10, .44)), ((.38, .37), (.72, 0))),
-    "N": (((0, 0), (0, 1), (.72, 0), (.72, 1)),),
-    "A": (((0, 0), (0, .74), (.26, 1), (.46, 1), (.72, .74), (.72, 0)), ((.10, .40), (.62, .40))),
+    "E": (((.64, 1), (0, 1), (0, 0), (.64, 0)), ((.08, .5), (.56, .5))),
+    "R": (((0, -.07), (0, 1), (.56, 1), (.70, .86), (.70, .60), (.56, .46), (.08, .46)), ((.36, .42), (.72, -.07))),
+    "N": (((0, -.07), (0, 1.07)), ((.86, -.07), (.86, 1.07)), ((.02, 1), (.84, 0))),
+    "A": (((0, -.07), (.40, 1.02)), ((.88, -.07), (.48, 1.02)), ((.18, .28), (.70, .28))),
 }
 
 
@@ -31,10 +31,11 @@ def edges(line, width):
 
 def text(name, material, word, height, thick, place, weight=.17, gap=.34):
     """A word as bars: `place(across, up, out)` puts a point of the plane, in metres from the word's middle, into space."""
-    wide = (len(word) * (WIDE + gap) - gap) * height
+    starts = np.cumsum([0] + [WIDTHS[letter] + gap for letter in word])
+    wide = (starts[-1] - gap) * height
     bars = []
     for k, letter in enumerate(word):
-        start = k * (WIDE + gap) * height - wide / 2
+        start = starts[k] * height - wide / 2
         for line in STROKES[letter]:
             left, right = edges(line, weight)
             n = len(left)

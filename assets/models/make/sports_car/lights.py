@@ -3,7 +3,7 @@
 import numpy as np
 
 from letters import text
-from mesh import joined
+from mesh import joined, smooth
 from shapes import disk, lathe, oriented, sweep
 from shell import pair
 from surface import look_along, on_face, on_top
@@ -12,7 +12,7 @@ from surface import look_along, on_face, on_top
 def projectors(skin):
     bezels, domes, cups = [], [], []
     ahead = look_along((.12, .22, 1))
-    for x, z, r in ((.700, 1.945, .027), (.757, 1.865, .027), (.806, 1.785, .024)):
+    for x, z, r in ((.698, 1.948, .031), (.758, 1.866, .030), (.808, 1.782, .027)):
         centre = on_top(skin, x, z, -.034)
         profile = [(-.05, r * 1.2), (.010, r * 1.26), (.016, r * 1.30), (.019, r * 1.26), (.018, r * 1.20)]
         cup = [(.018, r * 1.20), (.010, r * 1.10), (-.006, r * .86), (-.020, r * .80)]
@@ -41,15 +41,25 @@ def signature(skin):
     return [oriented(strip), oriented(holder), oriented(turn)]
 
 
+# The outline of the badge's left half, from top to foot: across and up.
+SHIELD = [(0, .036), (.014, .0345), (.0275, .031), (.0285, .018), (.027, .002), (.0225, -.016), (.013, -.030), (0, -.038)]
+
+
 def badge(skin):
-    """A round badge on the nose: a ring of chrome, black inside, with a letter."""
-    centre, normal = on_face(skin, 0, .405, .004, 1)
+    """A shield on the nose: a rim of chrome, black enamel in it, with a letter."""
+    centre, normal = on_face(skin, 0, .408, .002, 1)
     turn = look_along(normal)
-    ring = lathe("badge_ring", "chrome", [(-.006, .040), (.003, .040), (.006, .038), (.006, .034), (.0035, .033)], 36, 30)
-    field = lathe("badge_field", "gloss_black", [(.0034, .0332), (.0038, .016), (.004, 0)], 36, 60)
     up = turn[:, 1]
-    place = lambda across, high, out: centre + across * np.cross(up, normal) + high * up + normal * (.0036 + out)
-    return [oriented(ring).moved(turn, centre), oriented(field).moved(turn, centre), text("badge_letter", "badge", "L", .036, .002, place)]
+    place = lambda across, high, out: centre + across * np.cross(up, normal) + high * up + normal * (.0030 + out)
+    outline = SHIELD + [(-x, y) for x, y in SHIELD[-2:0:-1]]
+    edge = np.array([place(x, y, 0) for x, y in outline])
+    rim = oriented(sweep("badge_rim", "chrome", edge, disk(.0026, 8), 60, closed=True))
+    rows = np.concatenate([edge, [place(x * .6, y * .6, .0022) for x, y in outline]])
+    n = len(outline)
+    faces = [[k, (k + 1) % n, n + (k + 1) % n, n + k] for k in range(n)] + [list(range(n, 2 * n))]
+    field = smooth("badge_field", "gloss_black", rows, faces, 60)
+    field = field if field.normals[field.corners[-1][0]] @ normal > 0 else field.flipped()
+    return [rim, field, text("badge_letter", "badge", "L", .034, .0034, place)]
 
 
 def all_parts(skin):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cage import FRONT_AXLE, REAR_AXLE
+from sculpt import FRONT_AXLE, REAR_AXLE, crease
 from fields import FRONT, SIDE, TOP, Outline, below, circle, curve, mirrored
 from weld import mend, weld
 
@@ -40,8 +40,8 @@ BONNET_VENT = [*curve([(.135, 1.572), (.230, 1.622), (.330, 1.668), (.440, 1.684
 LAMP = [*curve([(.598, 2.092), (.700, 2.062), (.785, 1.988), (.838, 1.893), (.862, 1.785), (.864, 1.640)], 5)[:-1],
         *curve([(.864, 1.640), (.800, 1.735), (.732, 1.838), (.660, 1.960), (.598, 2.092)], 5)[:-1]]
 DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .42), (.85, .25), (.78, .195), (-.22, .195), (-.31, .25), (-.36, .40), (-.405, .60), (-.45, .78), (-.45, 1.4)]
-INTAKE = [*curve([(-.475, .668), (-.600, .694), (-.740, .706), (-.852, .702)], 4), *curve([(-.876, .672), (-.870, .580), (-.835, .480), (-.775, .385), (-.735, .352)], 4),
-          *curve([(-.690, .350), (-.655, .378), (-.580, .472), (-.515, .572)], 4)]
+INTAKE = [*curve([(-.492, .672), (-.610, .694), (-.740, .705), (-.850, .700)], 4), *curve([(-.874, .672), (-.868, .580), (-.833, .480), (-.775, .385), (-.742, .352)], 4),
+          *curve([(-.712, .350), (-.684, .378), (-.604, .472), (-.530, .580)], 4)]
 # Height of the seam above the front bumper, by x: from the bonnet's edge through the lamp to the arch.
 BUMPER = curve([(0, .496), (.25, .499), (.45, .513), (.60, .538), (.75, .560), (.83, .545), (.88, .520), (.93, .490), (.99, .462), (1.2, .452)], 6)
 REAR_BUMPER = [(-1.2, .60), (-1.72, .60), (-1.90, .598), (-2.7, .585), (-2.7, -.5), (-1.2, -.5)]
@@ -59,16 +59,15 @@ TAIL_LAMP = [(.425, .783), (.62, .778), (.775, .752), (.796, .730), (.782, .674)
 DIFFUSER = mirrored([(0, .492), (.285, .492), (.335, .462), (.575, .455), (.655, .385), (.66, .05), (0, .05)])
 VENT = [*curve([(.722, .428), (.716, .478), (.722, .526)], 4), *curve([(.748, .546), (.800, .556), (.850, .562)], 4), *curve([(.868, .538), (.860, .486), (.846, .440)], 4), (.822, .414), (.752, .408)]
 HANDLE = [(-.165, .705), (-.325, .722), (-.340, .707), (-.322, .692), (-.175, .679)]
-LOUVRES = 9
+# The slots of the engine lid: how many, z of the first one's front, from one to the next, how long, and the inclination of their ends.
+SLOTS, FIRST, PITCH, OPEN = 9, -.862, .094, .034
 
 
-def louvre(k):
-    """The outline of slat k of the engine lid."""
-    pitch = .096
-    z = -.850 - k * pitch
-    wide = lambda z: .500 + .03 * np.clip((z + 1.05) / -.7, 0, 1) - .05 * np.sin(np.pi * np.clip((z + 1.05) / -.7, 0, 1))
-    a, b = z, z - pitch * .72
-    return Outline(mirrored([(0, a), (wide(a), a - .008), (wide(b), b - .008), (0, b)]), TOP, (0, .012, .012, 0, .012, .012))
+def slot(k):
+    """The outline of a slot; the first ones are wider, as the lid is."""
+    z = FIRST - k * PITCH
+    half = np.interp(z, (-1.7, -1.35, -1.05, -.84), (.355, .318, .322, .340))
+    return mirrored([(0, z), (half, z - .006), (half - .004, z - OPEN - .006), (0, z - OPEN)])
 
 
 def fine(tag):
@@ -80,12 +79,17 @@ def fine(tag):
         return True
     if patch == "side":
         return 5 < i < 13 and j < 8 or i > 14
-    return (i < 4 and j > 2) or (5 < i < 13 and j in (1, 2)) or i > 14 or (i > 11 and j == 1) or (i in (6, 7) and j < 3)
+    return (i < 4 and j > 2) or (5 < i < 13 and j in (1, 2)) or i > 14 or (i > 10 and j < 2) or (i in (6, 7) and j < 3)
 
 
 def bumper(p):
     """How far above the front bumper's seam, along the surface, which lies flatter towards the middle."""
     return (p[:, 1] - np.interp(p[:, 0], *BUMPER.T)) * np.interp(p[:, 0], (0, .6, .85, .96), (2.4, 2.2, 1.6, .9))
+
+
+def valance(p):
+    """Below the crease of the rear bumper, from the arch to the diffuser."""
+    return p[:, 1] - crease(p[:, 2]) - .012
 
 
 def sill(p):
@@ -124,9 +128,8 @@ def cut(skin):
     skin.region("rear_window_seal", glass, pick(deck, "lid"))
     skin.region("rear_window_frit", glass, pick(deck, "rear_window_seal"), -.007)
     skin.region("rear_window", glass, pick(deck, "rear_window_frit"), -.028)
-    skin.region("louvre_field", Outline(mirrored([(0, -.835), (.365, -.840), (.335, -1.05), (.325, -1.35), (.375, -1.715), (0, -1.715)]), TOP, .02), pick(deck, "lid"))
-    for k in range(LOUVRES):
-        skin.region("slat%d" % k, louvre(k), pick(deck, "louvre_field"))
+    for k in range(SLOTS):
+        skin.region("slot", Outline(slot(k), TOP, (0, .011, .011, 0, .011, .011)), pick(deck, "lid"))
     skin.panel("flap", circle((-.985, .772), .058), flank, GAP * .8)
     skin.region("intake_frame", Outline(INTAKE, SIDE, .03), pick(side, "body"))
     skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)
@@ -149,9 +152,8 @@ def cut(skin):
     skin.region("tail_panel", panel, pick(tail_wide, "tail_frame"), -TAIL_FRAME)
     skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .02), pick(tail_wide, "tail_panel"))
     skin.region("diffuser", Outline(DIFFUSER, FRONT, .03), pick(tail_wide, "tail_bumper"))
-    skin.region("vent", Outline(VENT, FRONT, .012), pick(tail_wide, "tail_bumper"))
-    for y in (.462, .512):
-        skin.region("vent_blade", lambda p: np.abs(p[:, 1] - y - .08 * (p[:, 0] - .79)) - .006, pick(tail_wide, "vent"))
+    skin.region("valance", valance, pick(around_rear, "tail_bumper"))
+    skin.region("vent", Outline(VENT, FRONT, .03), pick(tail_wide, "tail_bumper"))
     for _ in range(2):
         skin.coarsen()
     for _ in range(6):

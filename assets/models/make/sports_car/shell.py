@@ -4,7 +4,7 @@ import numpy as np
 
 from mesh import joined
 from fields import FRONT, Outline
-from panels import FRAME, FUNNEL, LOUVRES, MOUTHS
+from panels import FIRST, FRAME, FUNNEL, MOUTHS, OPEN, PITCH, SLOTS
 
 PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "lid", "flap")
 
@@ -31,33 +31,35 @@ def blade(p):
     return .020 * ends * np.clip((.165 - p[:, 1]) / .045, 0, 1)
 
 
+def pressed(p):
+    """How far the engine lid is pressed up or down between its slots: each slat falls towards its front and stands proud at its rear."""
+    behind = FIRST - OPEN - p[:, 2]
+    part = np.clip((np.mod(behind + .01, PITCH) - .01) / (PITCH - OPEN), 0, 1)
+    first, last = np.clip((behind + OPEN + .05) / .05, 0, 1), np.clip((SLOTS * PITCH - .03 - behind) / .05, 0, 1)
+    ends = np.clip((np.interp(p[:, 2], (-1.7, -1.35, -1.05, -.84), (.355, .318, .322, .340)) - .004 - np.abs(p[:, 0])) / .045, 0, 1)
+    return (.010 * part - .012 * (1 - part)) * ends * ends * (3 - 2 * ends) * first * last
+
+
 def panels(skin):
     out = []
     for name in PAINTED:
-        part = skin.part(name, "paint", {name}, fold=.020 if name != "body" else .024, lip=.0034)
+        part = skin.part(name, "paint", {name}, offset=pressed if name == "lid" else 0.0, fold=.020 if name != "body" else .024, lip=.0034)
         out += pair(part) if name in ("door", "flap") else [both(part)]
     out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-.017)))
+    out.append(both(skin.part("valance", "trim_black", {"valance"}, offset=-.010, fold=.02, lip=.003)))
     out += pair(skin.part("handle", "paint", {"handle"}, offset=.001, fold=.012, lip=.003))
     out.append(both(skin.part("skirts", "carbon", {"skirt"}, offset=blade, fold=.012, lip=.003)))
     planar(out[-1], (2, 1), 30)
     out.append(both(skin.part("cowl", "trim_black", {"cowl"}, offset=-.006, fold=.02, lip=.003)))
-    slats = []
-    for k in range(LOUVRES):
-        start = -.850 - k * .096
-        lift = lambda p: .003 * ((start - p[:, 2]) / .069) - .024 * (1 - (start - p[:, 2]) / .069)
-        slats.append(skin.part("slat", "paint", {"slat%d" % k}, offset=lift, fold=.007, lip=.002))
-    out.append(both(joined("louvres", slats)))
-    field = {"louvre_field"} | {"slat%d" % k for k in range(LOUVRES)}
-    out.append(both(skin.part("louvre_walls", "gloss_black", field, fold=.04, lip=.003, walls=True)))
     return out
 
 
 def windows(skin):
     out = []
     for name, glass in (("windscreen", "glass_windscreen"), ("side_window", "glass_side"), ("quarter", "glass_side"), ("rear_window", "glass_rear")):
-        seal = skin.part(name + "_seal", "rubber", {name + "_seal"}, offset=-.004)
-        frit = skin.part(name + "_frit", "frit", {name + "_frit"}, offset=-.002)
-        pane = skin.part(name, glass, {name}, offset=-.002)
+        seal = skin.part(name + "_seal", "rubber", {name + "_seal"}, offset=-.005)
+        frit = skin.part(name + "_frit", "frit", {name + "_frit"}, offset=-.0045)
+        pane = skin.part(name, glass, {name}, offset=-.0045)
         for part in (seal, frit, pane):
             out += pair(part) if name in ("side_window", "quarter") else [both(part)]
     return out + pair(skin.part("pillar", "gloss_black", {"pillar"}, offset=-.001, fold=.008, lip=.0015))
@@ -98,11 +100,10 @@ def openings(skin):
     out = mouths(skin)
     out += pair(skin.part("intake_frame", "paint", {"intake_frame"}, offset=-.001, fold=.03, lip=.006))
     out += pair(skin.part("bonnet_vent_frame", "gloss_black", {"bonnet_vent_frame"}, offset=-.002, fold=.01))
-    out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=.001, fold=.07, lip=.004))
-    out += pair(skin.part("vent_blades", "gloss_black", {"vent_blade"}, offset=-.004, fold=.02, lip=.003))
+    out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=-.006, fold=.07, lip=.004, into=(-1, 0, 0)))
     for name, depth, axes, back, ahead in (("vent", .045, (0, 1), .09, (0, 0, 1.0)), ("intake", .15, (2, 1), .20, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
         push = lambda d: (lambda p, n: p + np.array(ahead) * d)
-        out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, fold=back, lip=.004, walls=True))
+        out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, fold=back, lip=.004, walls=True, into=ahead))
         out += pair(planar(skin.part(name + "_mesh", "grille", {name, name + "_blade"}, shift=push(depth)), axes, 14))
         out += pair(skin.part(name + "_back", "gap_black", {name, name + "_blade"}, shift=push(back)))
     return out

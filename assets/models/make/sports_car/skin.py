@@ -3,11 +3,22 @@
 import numpy as np
 
 from edges import folded
-from mesh import Part, face_normals, unit, untwisted
+from mesh import Part, area, face_normals, unit, untwisted
 
 NEAR = 2.5e-4
 # What a normal between two corners may differ from their mean.
-SHADED = .024
+SHADED = .011
+
+
+def tilted(normals, moved, points, faces):
+    """The normals of points that were moved, turned as the faces about them turned."""
+    change = np.zeros_like(normals)
+    for f in faces:
+        change[f] += area(moved[f]) - area(points[f])
+    size = np.zeros(len(points))
+    for f in faces:
+        size[f] += np.linalg.norm(area(points[f]))
+    return unit(normals + change / np.maximum(size, 1e-12)[:, None])
 
 
 class Skin:
@@ -113,8 +124,23 @@ class Skin:
             if choose(self.tags[k], self.labels[k]) and sum(values[i] for i in f) < 0:
                 self.labels[k] = name
 
+    def along(self, field):
+        """A field whose values near 0 are distances along the surface, however that leans to the plane in which an outline is drawn."""
+        def distance(points):
+            values = field(points)
+            near = np.abs(values) < .03
+            p, n, v = points[near], self.normals[near], values[near]
+            across = unit(np.cross(n, np.where(np.abs(n[:, 1:2]) < .9, (0, 1.0, 0), (1.0, 0, 0))))
+            tiny = 1e-3
+            slope = np.hypot(*((field(p + tiny * way) - field(p - tiny * way)) / (2 * tiny) for way in (across, np.cross(n, across))))
+            values[near] = v / np.maximum(slope, .25)
+            return values
+
+        return distance
+
     def panel(self, name, field, choose, gap=0.0045, paint=("body",)):
-        """A panel with a gap around it."""
+        """A panel with a gap around it, as wide everywhere."""
+        field = self.along(field)
         pick = lambda tag, label: label in paint and choose(tag, label)
         self.region("gap", field, pick, gap / 2)
         self.region(name, field, lambda tag, label: label == "gap" and choose(tag, label), -gap / 2)
@@ -195,9 +221,16 @@ class Skin:
         if shift is not None:
             p = shift(p, n)
         faces = [[index[v] for v in f] for f in faces]
+        if callable(offset) and into is None:
+            n = tilted(n, p, self.points[ids], faces)
         if not fold:
             return Part(name, material, p, untwisted(p, n, faces), n)
-        extra = folded(p, out, faces, fold, lip)
+        extra = list(folded(p, out, faces, fold, lip))
+        if callable(offset) and into is None:
+            # The rounded edge starts from the normals that it was made from, not from those that were turned.
+            first = len(n) + len(extra[2])
+            extra[2] = np.concatenate([extra[2], out])
+            extra[3] = [[c + first if c < len(n) else c for c in row] for row in extra[3]]
         faces = untwisted(p, n, faces)
         if walls:
             return Part(name, material, np.concatenate([p, extra[0]]), extra[1], np.concatenate([n, extra[2]]), extra[3]).flipped()

@@ -12,7 +12,9 @@ from surface import look_along, on_face
 
 # Where the rings are, and their radius.
 RINGS = ((.560, .710), (.692, .707))
-RADIUS = .044
+RADIUS = .046
+# How many diodes stand in a ring.
+DIODES = 12
 # Which way the recess goes, and which way the lamps in it.
 INTO, LAMP_INTO = (0, 0, 1), (-.22, 0, 1)
 # The number plate: its middle's height and z, and its size.
@@ -29,8 +31,8 @@ def on_tail(skin, x, y, depth):
 
 
 def rings(whole):
-    """Of each ring: a dish, a ring of light in it, and a small dome."""
-    dishes, lights, domes = [], [], []
+    """Of each ring: a dish, a ring of light in it set with diodes, and a small dome."""
+    dishes, lights, domes, diodes = [], [], [], []
     for x, y in RINGS:
         centre, normal = on_tail(whole, x, y, TAIL_DEPTH + .028)
         behind = look_along(normal)
@@ -39,10 +41,14 @@ def rings(whole):
         dishes.append(lathe("tail_dishes", "tail_reflector", dish[::-1], 28, 40).moved(behind, centre))
         turn = np.arange(28) * 2 * np.pi / 28
         ring = np.stack([0 * turn + .002, r * .80 * np.cos(turn), r * .80 * np.sin(turn)], 1)
-        lights.append(oriented(tube("tail_rings", "tail_light", ring, .0055, 6, closed=True)).moved(behind, centre))
+        lights.append(oriented(tube("tail_rings", "tail_light", ring, .0068, 8, closed=True)).moved(behind, centre))
+        for a in np.arange(DIODES) * 2 * np.pi / DIODES:
+            cup = [(-.016 + .006 * np.cos(b), .0052 * np.sin(b)) for b in np.linspace(np.pi / 2, 0, 3)]
+            at = centre + behind @ (0, r * .55 * np.cos(a), r * .55 * np.sin(a))
+            diodes.append(oriented(lathe("tail_diodes", "lamp_glow", cup, 8, 60)).moved(behind, at))
         dome = [(-.034 + .022 * np.cos(a), r * .30 * np.sin(a)) for a in np.linspace(np.pi / 2, 0, 4)]
         domes.append(oriented(lathe("tail_domes", "chrome", dome, 16, 60)).moved(behind, centre))
-    return [joined(row[0].name, row) for row in (dishes, lights, domes)]
+    return [joined(row[0].name, row) for row in (dishes, lights, domes, diodes)]
 
 
 def bar(whole):
@@ -53,7 +59,7 @@ def bar(whole):
 
 
 def lamps(skin, whole):
-    lens = skin.part("tail_lens", "tail_lens", {"tail_lamp"}, offset=-TAIL_DEPTH + .006, fold=.010, lip=.003, into=LAMP_INTO)
+    lens = skin.part("tail_lens", "tail_lens", {"tail_lamp"}, offset=-.016, fold=.026, lip=.004, into=LAMP_INTO)
     rim = skin.part("tail_lamp_walls", "gloss_black", {"tail_lamp"}, offset=-TAIL_DEPTH, fold=.075, lip=.004, walls=True, into=LAMP_INTO)
     back = skin.part("tail_lamp_back", "lamp_housing", {"tail_lamp"}, offset=-TAIL_DEPTH - .075, into=LAMP_INTO)
     out = []
@@ -74,7 +80,7 @@ def recess(skin):
 def name(whole):
     """Letters of chrome before the mesh between the lamps."""
     place = lambda across, up, out: on_tail(whole, -across, .722 + up, TAIL_DEPTH - out)[0]
-    return text("name", "badge", "LUCERNA", .044, .012, place, .20, .62)
+    return text("name", "badge", "LUCERNA", .048, .012, place, .16, .44)
 
 
 def stop_light(whole):
@@ -126,6 +132,19 @@ def exhausts():
     return pair(sleeves) + pair(inside)
 
 
+def vent_blades(whole):
+    """Three blades across the outlet at each corner, as the bumper runs there."""
+    rows = []
+    for y in (.452, .486, .520):
+        path = np.array([on_face(whole, x, y + .08 * (x - .79), -.012, -1)[0] for x in np.linspace(.705, .875, 9)])
+        rows.append(oriented(sweep("vent_blades", "gloss_black", path, squared_section(.004, .013), 40)))
+    return joined("vent_blades", rows)
+
+
+def squared_section(high, deep):
+    return [(-high, -deep), (high, -deep), (high, deep), (-high, deep)]
+
+
 def all_parts(skin, whole):
     walls = both(skin.part("diffuser_walls", "trim_black", {"diffuser"}, fold=.10, lip=.004, walls=True))
-    return recess(skin) + [name(whole), stop_light(whole), cavity(), walls] + number() + exhausts() + lamps(skin, whole)
+    return recess(skin) + [name(whole), stop_light(whole), cavity(), walls] + number() + exhausts() + lamps(skin, whole) + pair(vent_blades(whole))

@@ -6,7 +6,7 @@ from edges import rim
 from mesh import area
 
 # What a line between regions may move when it is simplified.
-BEND = 7e-4
+BEND = 4e-4
 
 
 def borders(skin):

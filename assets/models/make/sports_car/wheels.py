@@ -24,15 +24,15 @@ def tyre(half, radius, rim):
         tread += [(x + w, r - .0008 * (1 - k)), (x + w - .001, r - deep), (x - w + .001, r - deep), (x - w, r)]
     outer = side + tread
     profile = outer + [(-x, y) for x, y in [(h * .5, r - .0015)] + side[14:10:-1] + side[7::-2]]
-    pitch = 21
+    pitch = 24
 
     def slots(x, rr, turn):
         phase = (turn * pitch / (2 * np.pi) + np.abs(x) * 9) % 1
         shoulder = (np.abs(x) > h * .60) & (np.abs(x) < h - .004) & (rr > r - .02)
         rib = (np.abs(np.abs(x) - h * .34) < h * .14) & (rr > r - .003)
-        return x, rr - np.where(shoulder & (phase < .3), .0075, 0) - np.where(rib & (phase < .3), .0045, 0)
+        return x, rr - np.where(shoulder & (phase < .24), .0085, 0) - np.where(rib & (phase < .24), .0055, 0)
 
-    return oriented(lathe("tyre", "tyre", profile, pitch * 3, 32, bend=slots))
+    return oriented(lathe("tyre", "tyre", profile, pitch * 4, 32, bend=slots))
 
 
 def lettering(half, radius, rim, side):
@@ -134,8 +134,8 @@ def settled(part):
     part = part.copy()
     x, y = part.points[:, 0], part.points[:, 1]
     middle = (x.min() + x.max()) / 2
-    low = np.clip((.075 - y) / .075, 0, 1) ** 2
-    part.points[:, 0] += np.sign(x - middle) * .007 * low * (np.abs(x - middle) > .09)
+    low = np.clip((.095 - y) / .095, 0, 1) ** 2
+    part.points[:, 0] += np.sign(x - middle) * .012 * low * (np.abs(x - middle) > .09)
     part.points[:, 1] = np.maximum(y, .0004 + .012 * np.maximum(y + .008, 0))
     return part
 
@@ -159,6 +159,6 @@ def wheel(kind, name, at, side, steer=0.0):
 def wheels():
     out = []
     for side, word in ((1, "left"), (-1, "right")):
-        out += wheel(FRONT_WHEEL, "front_" + word, (side * .864, .334, 1.325), side)
-        out += wheel(REAR_WHEEL, "rear_" + word, (side * .842, .351, -1.325), side)
+        out += wheel(FRONT_WHEEL, "front_" + word, (side * .864, .329, 1.325), side)
+        out += wheel(REAR_WHEEL, "rear_" + word, (side * .842, .346, -1.325), side)
     return out
