@@ -4,6 +4,7 @@ mod debug;
 mod film;
 mod inspect;
 mod mesh;
+mod replay;
 mod report;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,6 +20,7 @@ pub use debug::DebugRange;
 pub use film::FilmImage;
 pub use inspect::{Inspected, LookedUp, Seen};
 pub use mesh::MeshExtent;
+pub use replay::{Replay, TrianglePlace};
 pub use report::Report;
 
 use crate::components::{self, Camera, Film, Render};
@@ -198,6 +200,12 @@ impl Engine {
     /// What one pixel of the picture holds and sees; none if there is no such pixel, or nothing was traced yet.
     pub fn inspect(&mut self, pixel: UVec2) -> Result<Option<Inspected>, EngineError> {
         inspect::inspect(&mut self.world, pixel)
+    }
+
+    /// A film sample of a pixel of the whole film, traced again, with all that happens on its way; none if there is no such pixel, or no step
+    /// has built the tree yet. The film stays as it is.
+    pub fn replay(&mut self, pixel: UVec2, sample: u32) -> Result<Option<Replay>, EngineError> {
+        replay::replay_sample(&mut self.world, pixel, sample)
     }
 
     /// What is known of the mesh of a name, as it was last extracted; none if there is no such mesh.

@@ -1,0 +1,192 @@
+//! One sample of one pixel again, with all that happens on its way: by the kernel, and by its twin.
+//!
+//! Plain functions, no system: they ask the device, and change nothing in the world. What the kernels leave in buffers of samples is read by
+//! nobody else: a batch writes before it reads.
+
+use bevy_ecs::prelude::*;
+use glam::{DMat3, DVec3, UVec2, Vec4};
+
+use crate::components::{Integrator, Name, Render, Sampler, UsesMaterial};
+use crate::cpu::path::PathScene;
+use crate::cpu::replay::{Sample, Verdict, judge};
+use crate::cpu::rng::Source;
+use crate::cpu::turn::{Turn, turns_of};
+use crate::gpu::{GpuTable, TableRow};
+use crate::layout::alias::AliasColumn;
+use crate::layout::light::{LightRecord, LightTable};
+use crate::layout::replay::{MOST_TURNS, PathTurn, Replayed};
+use crate::layout::sky::SkyTable;
+use crate::layout::trace::{MaterialRecord, RadianceSample, Shading, TraceParams};
+use crate::layout::tree::Triangle;
+use crate::passes::{Recording, replay, trace};
+use crate::systems::EngineError;
+use crate::systems::resources::{
+    Device, LightDensity, MaterialSlot, MeshSlot, SceneGeometry, Shot, Sky, SkyCell, Tree, texture_set,
+};
+
+/// A sample, replayed.
+#[derive(Clone, Debug)]
+pub struct Replay {
+    /// Of the whole film.
+    pub pixel: UVec2,
+    /// Of the film.
+    pub sample: u32,
+    /// The rays that the kernel kept, in order.
+    pub gpu: Vec<Turn>,
+    /// How many it traced.
+    pub rays: u32,
+    /// What the kernel that keeps rays came to.
+    pub replayed: RadianceSample,
+    /// What the film's kernel comes to: without what is gathered, where paths are reused.
+    pub traced: RadianceSample,
+    /// What the film gets: with all that its tile lends.
+    pub film: RadianceSample,
+    /// Paths are reused within tiles.
+    pub reuses: bool,
+    /// What the twin says.
+    pub verdict: Verdict,
+    /// Of all triangles that the rays of both met, in the order of their indices.
+    pub places: Vec<TrianglePlace>,
+    /// World space point that rays are relative to.
+    pub origin: DVec3,
+}
+
+/// What a triangle is part of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TrianglePlace {
+    /// In scene order.
+    pub triangle: u32,
+    /// Name of its mesh.
+    pub mesh: String,
+    /// Which of that mesh's triangles it is.
+    pub of_mesh: u32,
+    /// Name of its material; none if it has the default one.
+    pub material: Option<String>,
+}
+
+impl Replay {
+    /// What a triangle is part of.
+    pub fn place(&self, triangle: u32) -> Option<&TrianglePlace> {
+        self.places.iter().find(|place| place.triangle == triangle)
+    }
+
+    /// Whether the kernel that keeps rays came to the same as the film's, to the bit.
+    pub fn is_exact(&self) -> bool {
+        bytemuck::bytes_of(&self.replayed) == bytemuck::bytes_of(&self.traced)
+    }
+}
+
+/// Replays a sample of a pixel of the whole film; none where there is no such pixel, or no tree yet.
+pub fn replay_sample(world: &mut World, pixel: UVec2, sample: u32) -> Result<Option<Replay>, EngineError> {
+    let shot = world.resource::<Shot>();
+    let (params, reuses, textured) = (shot.params, shot.reuses(), shot.is_textured());
+    let film = UVec2::new(params.film_width, params.film_height);
+    if pixel.cmpge(film).any() || !world.resource::<Tree>().built {
+        return Ok(None);
+    }
+    let params = one_sample(&params, pixel, sample);
+    let device = &mut world.resource_mut::<Device>().0;
+    let tile = if reuses { trace::whole_blocks(&params) } else { params };
+    let pixels = u64::from(tile.window_width) * u64::from(tile.window_height);
+    let of_tile = if reuses { trace::reuse_buffers(pixels, 1, textured) } else { Vec::new() };
+    for (name, bytes) in trace::buffers(pixels, 1).into_iter().chain(of_tile).chain(replay::buffers()) {
+        device.reserve(name, bytes)?;
+    }
+    let mut recording = Recording::default();
+    replay::record(&mut recording, &params);
+    trace::record(&mut recording, &tile);
+    let mut gathering = Recording::default();
+    if reuses {
+        trace::record_reused(&mut gathering, &tile, 1, textured);
+    }
+    device.prepare(&[&recording, &gathering])?;
+    device.play(&recording)?;
+    let at = (params.window_y - tile.window_y) * tile.window_width + params.window_x - tile.window_x;
+    let traced: RadianceSample = device.read_one("radiance", at.into())?;
+    let film = match reuses {
+        true => {
+            device.play(&gathering)?;
+            device.read_one("radiance", at.into())?
+        }
+        false => traced,
+    };
+    device.check_loops()?;
+    let Replayed { rgb, info, turns, .. } = device.read_one("replayed", 0)?;
+    let kept: Vec<PathTurn> = device.read_some("turns", turns.min(MOST_TURNS) as usize)?;
+    let gpu = turns_of(&kept);
+    let verdict = by_twin(world, &params, Sample { pixel, sample, lends: reuses }, &gpu);
+    let places = places(world, gpu.iter().chain(&verdict.twin));
+    let origin = world.resource::<SceneGeometry>().origin;
+    let replayed = RadianceSample { rgb, info };
+    Ok(Some(Replay { pixel, sample, gpu, rays: turns, replayed, traced, film, reuses, verdict, places, origin }))
+}
+
+/// The parameters of a film of one pixel and one sample.
+fn one_sample(params: &TraceParams, pixel: UVec2, sample: u32) -> TraceParams {
+    TraceParams {
+        window_x: pixel.x,
+        window_y: pixel.y,
+        window_width: 1,
+        window_height: 1,
+        first_sample: sample,
+        layers: 1,
+        first_layer: 0,
+        column_shift: 0,
+        row_shift: 0,
+        keeps: 0,
+        ..*params
+    }
+}
+
+/// What the twin makes of it, on what the kernel was given.
+fn by_twin(world: &World, params: &TraceParams, of: Sample, gpu: &[Turn]) -> Verdict {
+    let sky = sky_table(world);
+    let mut scene = PathScene::new(table::<Triangle>(world), table::<MaterialRecord>(world));
+    let render = world.try_query::<&Render>().and_then(|mut films| films.iter(world).next().copied());
+    let render = render.unwrap_or_default();
+    scene.shading = table::<Shading>(world);
+    scene.roulette = render.roulette;
+    scene.sampler = match render.sampler {
+        Sampler::Pcg => Source::Pcg,
+        Sampler::Sobol => Source::Sobol,
+    };
+    let lights = LightTable { lights: table::<LightRecord>(world).to_vec(), density: world.resource::<LightDensity>().0 };
+    // Without light sampling the table has points alone.
+    scene.lights = (render.integrator == Integrator::Path || !lights.lights.is_empty()).then_some(lights);
+    scene.textures = texture_set(world);
+    scene.sky = sky.as_ref();
+    scene.sky_turn = DMat3::from_cols(params.sky_x.as_dvec3(), params.sky_y.as_dvec3(), params.sky_z.as_dvec3());
+    judge(&scene, params, of, gpu)
+}
+
+/// The picture of the environment as the kernel has it; none without one.
+fn sky_table(world: &World) -> Option<SkyTable> {
+    let sky = world.resource::<Sky>();
+    sky.source.as_ref()?;
+    let cells: Vec<Vec4> = table::<SkyCell>(world).iter().map(|cell| cell.0).collect();
+    let columns = table::<AliasColumn>(world).to_vec();
+    Some(SkyTable { size: sky.size, cells, columns, power: sky.power, brightest: sky.brightest })
+}
+
+fn table<T: TableRow>(world: &World) -> &[T] {
+    world.resource::<GpuTable<T>>().rows()
+}
+
+/// What the triangles that rays met, or that lights are, are part of.
+fn places<'a>(world: &World, turns: impl Iterator<Item = &'a Turn>) -> Vec<TrianglePlace> {
+    let of = |turn: &Turn| [turn.met.map(|met| met.triangle), turn.light.and_then(|light| light.triangle)];
+    let mut triangles: Vec<u32> = turns.flat_map(of).flatten().collect();
+    triangles.sort_unstable();
+    triangles.dedup();
+    let meshes = &world.resource::<SceneGeometry>().meshes;
+    let place = |triangle: u32| {
+        let slot = |mesh: Entity| world.get::<MeshSlot>(mesh);
+        let has = |slot: &MeshSlot| (slot.first..slot.first + slot.count).contains(&triangle);
+        let mesh = *meshes.iter().find(|mesh| slot(**mesh).is_some_and(has))?;
+        let name = |entity: Entity| world.get::<Name>(entity).map(|name| name.as_str().to_owned());
+        let used = world.get::<UsesMaterial>(mesh).filter(|uses| world.get::<MaterialSlot>(uses.0).is_some());
+        let of_mesh = triangle - slot(mesh)?.first;
+        Some(TrianglePlace { triangle, mesh: name(mesh)?, of_mesh, material: used.and_then(|uses| name(uses.0)) })
+    };
+    triangles.into_iter().filter_map(place).collect()
+}
