@@ -138,7 +138,8 @@ impl PathScene<'_> {
                 let parts = lending.parts_of(throughput, seen_as, light.from.direction, light.value, 1.0);
                 let origin = watch.leave(&hit, position, &frame, light.from.direction);
                 let carries = parts[0] * light.arriving;
-                let way = Toward { origin, light: &light.from, passes: params.max_depth - 2 - bounce, carries, bounce };
+                let (passes, radiance) = (params.max_depth - 2 - bounce, traced.radiance);
+                let way = Toward { origin, light: &light.from, passes, carries, bounce, radiance };
                 let seen = self.seen_part(&way, key, &mut traced.rays, watch);
                 traced.radiance += carries * seen;
                 lending.radiance += parts[1] * light.arriving * seen;
@@ -199,12 +200,7 @@ fn shaken(frame: ShadingFrame, watch: &mut impl Observer) -> ShadingFrame {
 }
 
 /// A direction that was drawn, as whoever watches may have shaken it, with what the surface says of that one.
-fn redrawn(
-    drawn: BsdfSample,
-    surface: &Reflection,
-    frame: &ShadingFrame,
-    watch: &mut impl Observer,
-) -> BsdfSample {
+fn redrawn(drawn: BsdfSample, surface: &Reflection, frame: &ShadingFrame, watch: &mut impl Observer) -> BsdfSample {
     let direction = watch.unit(drawn.direction);
     if direction == drawn.direction || drawn.pdf == 0.0 || drawn.weight == DVec3::ZERO {
         return BsdfSample { direction, ..drawn };

@@ -54,7 +54,13 @@ impl<'a> PathScene<'a> {
 
     /// What a ray hits first, of what is there for it. Hits are within 1e-15 of the scene's size, so 1e-9 leaves out the surface the ray
     /// starts on, and it alone.
-    pub(super) fn first_hit(&self, origin: DVec3, direction: DVec3, key: SampleKey, rays: &mut u32) -> Option<HitF64<'_>> {
+    pub(super) fn first_hit(
+        &self,
+        origin: DVec3,
+        direction: DVec3,
+        key: SampleKey,
+        rays: &mut u32,
+    ) -> Option<HitF64<'_>> {
         let chance = self.chance(key, *rays);
         *rays += 1;
         self.closest_there(origin, direction, chance)

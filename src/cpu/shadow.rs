@@ -35,6 +35,8 @@ pub struct Toward<'a> {
     pub carries: DVec3,
     /// Path segments before the one to the surface.
     pub bounce: u32,
+    /// All that the pixel has before.
+    pub radiance: DVec3,
 }
 
 impl PathScene<'_> {
@@ -48,8 +50,7 @@ impl PathScene<'_> {
         (pick, point, texel): (f64, DVec2, f64),
         watch: &mut impl Observer,
     ) -> Connection {
-        let mut from = sampler.draw(position, pick, point);
-        from.direction = watch.unit(from.direction);
+        let mut from = sampler.draw_bent(position, pick, point, |direction| watch.unit(direction));
         if let Some(triangle) = from.triangle {
             let material = self.materials_of[triangle as usize];
             let maps = self.textures.maps(material);
@@ -69,14 +70,8 @@ impl PathScene<'_> {
     }
 
     /// The part of a light that arrives: what goes straight on through up to so many surfaces before it.
-    pub(super) fn seen_part(
-        &self,
-        way: &Toward,
-        key: SampleKey,
-        rays: &mut u32,
-        watch: &mut impl Observer,
-    ) -> DVec3 {
-        let Toward { mut origin, light, mut passes, carries, bounce } = *way;
+    pub(super) fn seen_part(&self, way: &Toward, key: SampleKey, rays: &mut u32, watch: &mut impl Observer) -> DVec3 {
+        let Toward { mut origin, light, mut passes, carries, bounce, radiance } = *way;
         let mut part = DVec3::ONE;
         // To a point, which no ray hits.
         let mut left = light.point_distance.map_or(f64::INFINITY, |distance| distance * (1.0 - 1e-9));
@@ -85,7 +80,7 @@ impl PathScene<'_> {
             let hit = hit.filter(|hit| hit.t < left);
             watch.turn(|| {
                 let (kind, direction, met) = (RayKind::Shadow, light.direction, hit.as_ref().map(Met::of));
-                Turn { kind, bounce, origin, direction, throughput: carries * part, met, ..Turn::default() }
+                Turn { kind, bounce, origin, direction, throughput: carries * part, met, radiance, ..Turn::default() }
             });
             if hit.as_ref().map(|hit| hit.triangle.index) == light.triangle {
                 return part;

@@ -22,7 +22,13 @@ pub struct Texturing {
 
 impl PathScene<'_> {
     /// What is known of a hit before a texel is looked up.
-    pub(super) fn texturing(&self, hit: &HitF64, cone: Cone, direction: DVec3, (key, bounce): (SampleKey, u32)) -> Texturing {
+    pub(super) fn texturing(
+        &self,
+        hit: &HitF64,
+        cone: Cone,
+        direction: DVec3,
+        (key, bounce): (SampleKey, u32),
+    ) -> Texturing {
         let maps = self.textures.maps(hit.triangle.material);
         let ahead = cone.long_axis(hit.t, hit.triangle.corners, direction);
         let point = self.textures.point_with(hit.triangle.index, hit.b, cone.width_at(hit.t), ahead);

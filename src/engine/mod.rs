@@ -205,7 +205,12 @@ impl Engine {
     /// A film sample of a pixel of the whole film, traced again, with all that happens on its way; none if there is no such pixel, or no step
     /// has built the tree yet. The film stays as it is.
     pub fn replay(&mut self, pixel: UVec2, sample: u32) -> Result<Option<Replay>, EngineError> {
-        replay::replay_sample(&mut self.world, pixel, sample)
+        Ok(self.replay_all(&[(pixel, sample)])?.pop())
+    }
+
+    /// The same of several, sooner than one by one: those that there are.
+    pub fn replay_all(&mut self, samples: &[(UVec2, u32)]) -> Result<Vec<Replay>, EngineError> {
+        replay::replay_samples(&mut self.world, samples)
     }
 
     /// What is known of the mesh of a name, as it was last extracted; none if there is no such mesh.

@@ -76,14 +76,44 @@ impl Replay {
     }
 }
 
-/// Replays a sample of a pixel of the whole film; none where there is no such pixel, or no tree yet.
-pub fn replay_sample(world: &mut World, pixel: UVec2, sample: u32) -> Result<Option<Replay>, EngineError> {
+/// What a device says of a sample.
+struct Traced {
+    kept: Vec<PathTurn>,
+    rays: u32,
+    replayed: RadianceSample,
+    traced: RadianceSample,
+    film: RadianceSample,
+}
+
+/// Replays samples of pixels of the whole film; none of those where there is no such pixel, or no tree yet.
+pub fn replay_samples(world: &mut World, samples: &[(UVec2, u32)]) -> Result<Vec<Replay>, EngineError> {
+    let shot = world.resource::<Shot>();
+    let film = UVec2::new(shot.params.film_width, shot.params.film_height);
+    if !world.resource::<Tree>().built {
+        return Ok(Vec::new());
+    }
+    let there = samples.iter().filter(|(pixel, _)| pixel.cmplt(film).all());
+    let traced = there.map(|(pixel, sample)| Ok((*pixel, *sample, trace_sample(world, *pixel, *sample)?)));
+    let traced = traced.collect::<Result<Vec<_>, EngineError>>()?;
+    let world: &World = world;
+    let (shot, origin) = (world.resource::<Shot>(), world.resource::<SceneGeometry>().origin);
+    with_twin(world, &shot.params, |scene| {
+        let judged = |(pixel, sample, traced): (UVec2, u32, Traced)| {
+            let Traced { kept, rays, replayed, traced, film } = traced;
+            let (gpu, reuses) = (turns_of(&kept), shot.reuses());
+            let of = Sample { pixel, sample, lends: reuses };
+            let verdict = judge(scene, &one_sample(&shot.params, pixel, sample), of, &gpu);
+            let places = places(world, gpu.iter().chain(&verdict.twin));
+            Replay { pixel, sample, gpu, rays, replayed, traced, film, reuses, verdict, places, origin }
+        };
+        Ok(traced.into_iter().map(judged).collect())
+    })
+}
+
+/// Traces a sample by the kernel that keeps its rays, and by those of the film.
+fn trace_sample(world: &mut World, pixel: UVec2, sample: u32) -> Result<Traced, EngineError> {
     let shot = world.resource::<Shot>();
     let (params, reuses, textured) = (shot.params, shot.reuses(), shot.is_textured());
-    let film = UVec2::new(params.film_width, params.film_height);
-    if pixel.cmpge(film).any() || !world.resource::<Tree>().built {
-        return Ok(None);
-    }
     let params = one_sample(&params, pixel, sample);
     let device = &mut world.resource_mut::<Device>().0;
     let tile = if reuses { trace::whole_blocks(&params) } else { params };
@@ -113,12 +143,7 @@ pub fn replay_sample(world: &mut World, pixel: UVec2, sample: u32) -> Result<Opt
     device.check_loops()?;
     let Replayed { rgb, info, turns, .. } = device.read_one("replayed", 0)?;
     let kept: Vec<PathTurn> = device.read_some("turns", turns.min(MOST_TURNS) as usize)?;
-    let gpu = turns_of(&kept);
-    let verdict = by_twin(world, &params, Sample { pixel, sample, lends: reuses }, &gpu);
-    let places = places(world, gpu.iter().chain(&verdict.twin));
-    let origin = world.resource::<SceneGeometry>().origin;
-    let replayed = RadianceSample { rgb, info };
-    Ok(Some(Replay { pixel, sample, gpu, rays: turns, replayed, traced, film, reuses, verdict, places, origin }))
+    Ok(Traced { kept, rays: turns, replayed: RadianceSample { rgb, info }, traced, film })
 }
 
 /// The parameters of a film of one pixel and one sample.
@@ -138,8 +163,8 @@ fn one_sample(params: &TraceParams, pixel: UVec2, sample: u32) -> TraceParams {
     }
 }
 
-/// What the twin makes of it, on what the kernel was given.
-fn by_twin(world: &World, params: &TraceParams, of: Sample, gpu: &[Turn]) -> Verdict {
+/// Has `look` look at what the kernel was given, as the twin sees it.
+fn with_twin<R>(world: &World, params: &TraceParams, look: impl FnOnce(&PathScene) -> R) -> R {
     let sky = sky_table(world);
     let mut scene = PathScene::new(table::<Triangle>(world), table::<MaterialRecord>(world));
     let render = world.try_query::<&Render>().and_then(|mut films| films.iter(world).next().copied());
@@ -150,13 +175,14 @@ fn by_twin(world: &World, params: &TraceParams, of: Sample, gpu: &[Turn]) -> Ver
         Sampler::Pcg => Source::Pcg,
         Sampler::Sobol => Source::Sobol,
     };
-    let lights = LightTable { lights: table::<LightRecord>(world).to_vec(), density: world.resource::<LightDensity>().0 };
+    let lights =
+        LightTable { lights: table::<LightRecord>(world).to_vec(), density: world.resource::<LightDensity>().0 };
     // Without light sampling the table has points alone.
     scene.lights = (render.integrator == Integrator::Path || !lights.lights.is_empty()).then_some(lights);
     scene.textures = texture_set(world);
     scene.sky = sky.as_ref();
     scene.sky_turn = DMat3::from_cols(params.sky_x.as_dvec3(), params.sky_y.as_dvec3(), params.sky_z.as_dvec3());
-    judge(&scene, params, of, gpu)
+    look(&scene)
 }
 
 /// The picture of the environment as the kernel has it; none without one.

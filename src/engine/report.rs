@@ -37,7 +37,7 @@ pub struct Report {
     pub seconds_trace: f64,
     /// Samples of the film that were not added.
     pub bad_samples: u64,
-    /// The first of them.
+    /// The first of them, up to [`BAD_LOG`]; by sample and pixel.
     pub bad_log: Vec<BadSample>,
     /// GPU time by pass since the last report, if timing is on.
     pub passes: Vec<PassTiming>,
@@ -73,8 +73,15 @@ pub fn read_report(world: &mut World) -> Result<Report, EngineError> {
         seconds_build: spent.build,
         seconds_trace: spent.trace,
         bad_samples: u64::from(bad),
-        bad_log: counters.log[..bad.min(BAD_LOG) as usize].to_vec(),
+        bad_log: sorted(&counters.log[..bad.min(BAD_LOG) as usize]),
         passes: device.timings()?,
         dispatches: device.dispatches().clone(),
     })
+}
+
+/// Which workgroup logs first is chance.
+fn sorted(log: &[BadSample]) -> Vec<BadSample> {
+    let mut log = log.to_vec();
+    log.sort_by_key(|bad| (bad.sample, bad.pixel));
+    log
 }

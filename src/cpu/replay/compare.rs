@@ -87,7 +87,8 @@ pub fn compare(gpu: &[Turn], twin: &[Turn], shaken: &[Vec<Turn>]) -> Comparison 
             let ((Some(a), Some(b)), size) = (((quantity.of)(ours), (quantity.of)(right)), size_of(right)) else {
                 continue;
             };
-            let strays = alike.iter().filter_map(|path| (quantity.of)(path.get(i)?)).map(|c| measured(quantity, &c, &b, size));
+            let strays =
+                alike.iter().filter_map(|path| (quantity.of)(path.get(i)?)).map(|c| measured(quantity, &c, &b, size));
             // Where no shaken path decides as the twin any more, all is rounding's.
             let strays = if alike.is_empty() { f64::INFINITY } else { strays.fold(0.0, f64::max) };
             let own = of_step(quantity.measure, right, before / size, size);

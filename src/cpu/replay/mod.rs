@@ -10,7 +10,7 @@ mod verdict;
 use glam::UVec2;
 
 pub use compare::{Compared, Comparison, Parting, Row};
-pub use quantities::{Measure, Values};
+pub use quantities::{Measure, Values, numbers_of};
 pub use verdict::{Verdict, Why, judge};
 
 use self::record::Recorder;

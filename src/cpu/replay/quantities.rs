@@ -52,8 +52,12 @@ impl Values {
 
     /// The largest difference of two numbers; NaN if one is none.
     pub fn distance(&self, other: &Values) -> f64 {
-        let differences = self.numbers().iter().zip(other.numbers()).map(|(a, b)| if a == b { 0.0 } else { (a - b).abs() });
-        differences.fold(0.0, |most: f64, difference| if difference.is_nan() || most.is_nan() { f64::NAN } else { most.max(difference) })
+        let differences =
+            self.numbers().iter().zip(other.numbers()).map(|(a, b)| if a == b { 0.0 } else { (a - b).abs() });
+        differences.fold(
+            0.0,
+            |most: f64, difference| if difference.is_nan() || most.is_nan() { f64::NAN } else { most.max(difference) },
+        )
     }
 }
 
@@ -137,3 +141,11 @@ pub static STEPS: &[Step] = &[
     choice("goes on", |turn| turn.drawn.map(|drawn| drawn.goes_on.into())),
     number("radiance", Relative, |turn| Some(turn.radiance.into())),
 ];
+
+/// All numbers that are known of a ray, by name.
+pub fn numbers_of(turn: &Turn) -> impl Iterator<Item = (&'static str, Values)> {
+    STEPS.iter().filter_map(|step| match step {
+        Step::Quantity(quantity) => Some((quantity.name, (quantity.of)(turn)?)),
+        Step::Choice(_) => None,
+    })
+}
