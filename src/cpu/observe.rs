@@ -22,6 +22,11 @@ pub trait Observer {
         v
     }
 
+    /// And instead of a normal.
+    fn normal(&mut self, n: DVec3) -> DVec3 {
+        n
+    }
+
     /// And instead of a random number, which is compared with a probability.
     fn number(&mut self, u: f64) -> f64 {
         u

@@ -192,7 +192,7 @@ impl PathScene<'_> {
 
 /// How a surface is seen, by normals that whoever watches may have shaken; those of a flat triangle stay one.
 fn shaken(frame: ShadingFrame, watch: &mut impl Observer) -> ShadingFrame {
-    let shading = watch.unit(frame.shading);
+    let shading = watch.normal(frame.shading);
     match frame.shading == frame.geometric {
         true => ShadingFrame { shading, geometric: shading, ..frame },
         false => ShadingFrame { shading, ..frame },

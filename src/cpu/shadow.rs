@@ -65,7 +65,7 @@ impl PathScene<'_> {
         let counts = above && from.pdf > 0.0 && at.pdf > 0.0;
         let weight = if from.point_distance.is_some() { 1.0 } else { power_heuristic(from.pdf, at.pdf) };
         let share = if counts { weight / from.pdf } else { 0.0 };
-        watch.note(|turn| turn.light = Some(LightDrawn::of(point, &from, at, weight, above)));
+        watch.note(|turn| turn.draws_light(LightDrawn::of(point, &from, at, weight, above)));
         Connection { value: at.value, arriving: from.radiance * share, from }
     }
 

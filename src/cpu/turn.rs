@@ -135,6 +135,19 @@ impl Turn {
         }
     }
 
+    /// A light of which nothing is sent on is as none: how likely it was is no matter, and edge-on to it is rounding's alone.
+    fn forget_dark(&mut self) {
+        if let Some(light) = self.light.as_mut().filter(|light| light.value == DVec3::ZERO) {
+            *light = LightDrawn { pdf: 0.0, radiance: DVec3::ZERO, bsdf_pdf: 0.0, weight: 0.0, ..*light };
+        }
+    }
+
+    /// A light was sampled.
+    pub fn draws_light(&mut self, light: LightDrawn) {
+        self.light = Some(light);
+        self.forget_dark();
+    }
+
     /// Roulette was played.
     pub fn plays(&mut self, survival: f64) {
         self.drawn.iter_mut().for_each(|drawn| drawn.survival = survival);
@@ -183,6 +196,7 @@ pub fn turns_of(kept: &[PathTurn]) -> Vec<Turn> {
     let read = |kept: &PathTurn| {
         let mut turn = Turn::from(kept);
         turn.forget_unused();
+        turn.forget_dark();
         match turn.kind {
             RayKind::Segment => bounce = turn.bounce,
             RayKind::Shadow => turn.bounce = bounce,

@@ -32,8 +32,9 @@ fn told(replay: &Replay) -> String {
 
 fn five_scenes() -> [(&'static str, SceneDescription); 5] {
     let shipped = |name| (name, scene_with(name, &[]));
-    let [data, cornell, glass, teapot] = ["cornell-data", "cornell-box", "glass", "teapot-daylight"].map(shipped);
-    [data, cornell, glass, teapot, ("garden", Garden::full(SIZE).description)]
+    let [data, cornell, glass] = ["cornell-data", "cornell-box", "glass"].map(shipped);
+    let sky = scene_with("glass", &[("environment", "Sky(sun: (40, 60))")]);
+    [data, cornell, glass, ("under a sky", sky), ("garden", Garden::full(SIZE).description)]
 }
 
 #[test]

@@ -15,7 +15,7 @@ pub struct ReplayArguments {
     /// A scene file (.ron), a model (.obj), or the name of a file in assets/scenes
     pub scene: String,
     /// The pixel of the whole picture, counted from 0, from the left and the top
-    #[arg(long, value_name = "X,Y", value_parser = pixel, required = true)]
+    #[arg(long, value_name = "X,Y", value_parser = pixel, required = true, allow_hyphen_values = true)]
     pub pixel: UVec2,
     /// Which of the pixel's samples, counted from 0
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(..i64::from(MOST_SAMPLES)), default_value_t = 0)]

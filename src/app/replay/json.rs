@@ -4,9 +4,9 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use super::Told;
 use super::names;
 use super::third::{Beside, Third};
+use super::told::Told;
 use crate::cpu::replay::{Parting, Values, numbers_of};
 use crate::cpu::turn::{RayKind, Turn};
 use crate::layout::trace::{RadianceSample, SAMPLE_BAD};

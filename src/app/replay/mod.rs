@@ -7,6 +7,7 @@ mod names;
 mod numbers;
 mod text;
 mod third;
+mod told;
 
 pub use arguments::ReplayArguments;
 
@@ -19,22 +20,9 @@ use crate::app::shared::output;
 use crate::app::shared::scene::Opened;
 use crate::app::{Exit, Failure};
 use crate::components::Crop;
-use crate::engine::{Engine, Replay};
+use crate::engine::Engine;
 use crate::oracle::Oracle;
-use crate::scene::SceneDescription;
-use third::Third;
-
-/// All that is known of a path.
-pub struct Told<'a> {
-    pub replay: &'a Replay,
-    /// What the oracle says of each of its rays.
-    pub third: &'a [Option<Third>],
-    /// As it was replayed.
-    pub description: &'a SceneDescription,
-    pub adapter: &'a str,
-    /// The command line that gives the same again.
-    pub repeat: &'a str,
-}
+use told::Told;
 
 /// Replays and tells.
 pub fn run(arguments: &ReplayArguments) -> Result<Exit, Failure> {

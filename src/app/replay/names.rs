@@ -37,6 +37,9 @@ pub fn why(why: &Why) -> String {
             "rounding: of {of} walks of the twin whose steps are off by {} f32's, {with} do so too",
             if *scale == 1.0 { "as much as".to_owned() } else { format!("{scale} times") }
         ),
+        Why::SelfHit { t } => {
+            format!("a defect: the GPU's ray hits the triangle that it leaves, at {t:.1e}")
+        }
         Why::SameRay => "rounding: the GPU's own ray, followed in f64, hits that triangle too".to_owned(),
         Why::NearTie { gap, outside } => {
             format!("rounding: the two are {gap:.0e} apart in t, and the ray is {outside:.0e} outside of an edge")

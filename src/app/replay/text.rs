@@ -3,10 +3,10 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::Told;
 use super::names;
 use super::numbers::{column, number, part};
 use super::third::{Beside, Third};
+use super::told::Told;
 use crate::cpu::replay::{Values, numbers_of};
 use crate::cpu::turn::{RayKind, Turn};
 use crate::layout::trace::{RadianceSample, SAMPLE_BAD};

@@ -12,7 +12,7 @@ const STRAYING: f64 = 4.0;
 /// Roundings of a step of its own, of a number that is measured by itself.
 const OF_STEP: f64 = 64.0;
 
-/// The same of unit vectors and of weights.
+/// The same of lengths, unit vectors and weights.
 const OF_UNIT: f64 = 16.0;
 
 /// The rays of both.
@@ -128,7 +128,7 @@ fn measured(quantity: &Quantity, a: &Values, b: &Values, size: f64) -> f64 {
     match quantity.measure {
         _ if distance == 0.0 => 0.0,
         Measure::Length => distance / size,
-        Measure::Absolute | Measure::Exact => distance,
+        Measure::Absolute | Measure::Weights | Measure::Exact => distance,
         Measure::Relative => distance / a.largest().max(b.largest()),
     }
 }
@@ -137,7 +137,8 @@ fn measured(quantity: &Quantity, a: &Values, b: &Values, size: f64) -> f64 {
 fn of_step(measure: Measure, turn: &Turn, before: f64, size: f64) -> f64 {
     match measure {
         Measure::Length => OF_UNIT * ROUNDING + 2.0 * (before + turn.slack.position / size),
-        Measure::Absolute => OF_UNIT * ROUNDING + 2.0 * turn.slack.weights,
+        Measure::Absolute => OF_UNIT * ROUNDING,
+        Measure::Weights => OF_UNIT * ROUNDING + 2.0 * turn.slack.weights,
         Measure::Relative => OF_STEP * ROUNDING * f64::from(turn.bounce + 1),
         Measure::Exact => 0.0,
     }

@@ -16,8 +16,10 @@ pub struct Values {
 pub enum Measure {
     /// By the distances that there are: how far the ray's origin is from the scene's, and its end from there.
     Length,
-    /// As it is: of unit vectors and weights.
+    /// As it is: of unit vectors.
     Absolute,
+    /// As it is: of the weights of a triangle's corners.
+    Weights,
     /// By the largest of the numbers.
     Relative,
     /// Random numbers are the same to the bit.
@@ -99,7 +101,7 @@ fn segment(turn: &Turn) -> Option<&Turn> {
     (turn.kind == RayKind::Segment).then_some(turn)
 }
 
-use Measure::{Absolute, Exact, Length, Relative};
+use Measure::{Absolute, Exact, Length, Relative, Weights};
 
 /// All of it.
 pub static STEPS: &[Step] = &[
@@ -112,7 +114,7 @@ pub static STEPS: &[Step] = &[
     choice("triangle", |turn| segment(turn)?.met.map(|met| met.triangle.into())),
     choice("light is seen", |turn| (turn.kind == RayKind::Shadow).then_some(u64::from(turn.is_seen()))),
     number("t", Length, |turn| segment(turn)?.met.map(|met| met.t.into())),
-    number("weights", Absolute, |turn| segment(turn)?.met.map(|met| met.b.into())),
+    number("weights", Weights, |turn| segment(turn)?.met.map(|met| met.b.into())),
     number("emitted", Relative, |turn| segment(turn).map(|turn| turn.emitted.into())),
     number("pdf of light sampling", Relative, |turn| segment(turn).map(|turn| turn.found_pdf.into())),
     number("added", Relative, |turn| Some(turn.added.into())),
@@ -126,9 +128,9 @@ pub static STEPS: &[Step] = &[
     number("u of the light", Exact, |turn| turn.light.map(|light| light.u.into())),
     choice("light's triangle", |turn| turn.light.map(|light| light.triangle.map_or(u64::MAX, u64::from))),
     number("light's direction", Absolute, |turn| turn.light.map(|light| light.direction.into())),
+    number("light's f cos", Relative, |turn| turn.light.map(|light| light.value.into())),
     number("light's pdf", Relative, |turn| turn.light.map(|light| light.pdf.into())),
     number("light's radiance", Relative, |turn| turn.light.map(|light| light.radiance.into())),
-    number("light's f cos", Relative, |turn| turn.light.map(|light| light.value.into())),
     number("light's BSDF pdf", Relative, |turn| turn.light.map(|light| light.bsdf_pdf.into())),
     number("light's MIS weight", Relative, |turn| turn.light.map(|light| light.weight.into())),
     choice("a direction is drawn", |turn| segment(turn).map(|turn| turn.drawn.is_some().into())),

@@ -29,11 +29,27 @@ struct Shaken {
     state: u64,
     /// By which all errors are multiplied.
     scale: f64,
+    of_normals: OfNormals,
+}
+
+/// How normals are shaken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfNormals {
+    /// Each component by a part of itself: those of a wall along the axes stay 0, as they are in f32.
+    Parts,
+    /// All alike, so that one that is 0 but for rounding takes either sign: where a frame about the normal is chosen by that, directions turn.
+    All,
 }
 
 /// The rays of a path whose steps are off by `scale` roundings; each `seed` shakes them otherwise.
-pub fn shaken(scene: &PathScene, params: &TraceParams, of: Sample, scale: f64, seed: u64) -> Vec<Turn> {
-    let mut shaken = Shaken { recorder: Recorder::default(), state: seed, scale };
+pub fn shaken(
+    scene: &PathScene,
+    params: &TraceParams,
+    of: Sample,
+    (scale, of_normals): (f64, OfNormals),
+    seed: u64,
+) -> Vec<Turn> {
+    let mut shaken = Shaken { recorder: Recorder::default(), state: seed, scale, of_normals };
     scene.walk_watched(params, of.pixel, of.sample, of.lends, &mut shaken);
     shaken.recorder.turns
 }
@@ -65,6 +81,13 @@ impl Observer for Shaken {
 
     fn unit(&mut self, v: DVec3) -> DVec3 {
         v + self.scale * OF_UNIT * DVec3::new(self.draw(), self.draw(), self.draw())
+    }
+
+    fn normal(&mut self, n: DVec3) -> DVec3 {
+        match self.of_normals {
+            OfNormals::All => self.unit(n),
+            OfNormals::Parts => n + n * (self.unit(n) - n),
+        }
     }
 
     fn number(&mut self, u: f64) -> f64 {

@@ -1,10 +1,10 @@
 //! Whether two paths are one but for rounding, and if they part, why.
 
 use super::Sample;
-use super::compare::{Comparison, Parting, compare};
-use super::quantities::{STEPS, Step};
+use super::compare::{Comparison, Parting, Row, compare};
+use super::quantities::{STEPS, Step, numbers_of};
 use super::replay;
-use super::shaken::shaken;
+use super::shaken::{OfNormals, shaken};
 use crate::cpu::path::{PathScene, Walked};
 use crate::cpu::turn::{RayKind, Turn};
 use crate::layout::trace::TraceParams;
@@ -36,6 +36,8 @@ pub enum Why {
     NoNumber,
     /// Of `of` paths of the twin whose steps are off by `scale` roundings, `with` decide as the kernel did.
     Shaken { scale: f64, with: u64, of: u64 },
+    /// The kernel's ray hits the very triangle that it leaves, so far away: its origin is not as far off it as its own test of it errs.
+    SelfHit { t: f64 },
     /// The kernel's ray, followed in f64, hits what the kernel says: the rays are apart by rounding.
     SameRay,
     /// The two triangles are so far apart along the kernel's ray, by their distance from its origin, and it meets the kernel's so far outside of its
@@ -58,7 +60,7 @@ impl Why {
         match self {
             Self::Shaken { scale, .. } => *scale <= MOST_SCALE,
             Self::SameRay | Self::NearTie { .. } => true,
-            Self::NoNumber | Self::Unexplained => false,
+            Self::NoNumber | Self::SelfHit { .. } | Self::Unexplained => false,
         }
     }
 }
@@ -66,27 +68,53 @@ impl Why {
 /// Judges what the kernel kept of a path.
 pub fn judge(scene: &PathScene, params: &TraceParams, of: Sample, gpu: &[Turn]) -> Verdict {
     let (twin, walked) = replay(scene, params, of);
-    let paths = |scale: f64, seeds: std::ops::Range<u64>| -> Vec<Vec<Turn>> {
-        seeds.map(|seed| shaken(scene, params, of, scale, seed)).collect()
+    let paths = |scale: f64, normals: OfNormals, seeds: std::ops::Range<u64>| -> Vec<Vec<Turn>> {
+        seeds.map(|seed| shaken(scene, params, of, (scale, normals), seed)).collect()
     };
-    let few = paths(1.0, 0..FEW);
+    let few = paths(1.0, OfNormals::Parts, 0..FEW);
     let mut comparison = compare(gpu, &twin, &few);
     if comparison.parting.as_ref().is_some_and(|parting| parting.row.is_some()) {
-        let all: Vec<Vec<Turn>> = few.into_iter().chain(paths(1.0, FEW..MANY)).collect();
+        let all: Vec<Vec<Turn>> = few.into_iter().chain(paths(1.0, OfNormals::Parts, FEW..MANY)).collect();
         comparison = compare(gpu, &twin, &all);
     }
     let why = comparison.parting.as_ref().map(|parting| match &parting.row {
         Some(row) if row.gpu.numbers().iter().any(|number| !number.is_finite()) => Why::NoNumber,
-        Some(_) => Why::Unexplained,
+        Some(row) => {
+            let all = paths(1.0, OfNormals::All, 0..MANY);
+            let with = all.iter().filter(|path| comes_to(parting, row, path)).count() as u64;
+            if with > 0 { Why::Shaken { scale: 1.0, with, of: MANY } } else { Why::Unexplained }
+        }
         None => {
+            if let Some(t) = self_hit(parting, gpu) {
+                return Why::SelfHit { t };
+            }
             let found = SCALES.iter().find_map(|scale| {
-                let with = paths(*scale, 0..MANY).iter().filter(|path| decides_as(parting, path, gpu, &twin)).count();
-                (with > 0).then_some(Why::Shaken { scale: *scale, with: with as u64, of: MANY })
+                let all = paths(*scale, OfNormals::All, 0..MANY);
+                let with = all.iter().filter(|path| decides_as(parting, path, gpu, &twin)).count() as u64;
+                (with > 0).then_some(Why::Shaken { scale: *scale, with, of: MANY })
             });
             found.filter(Why::is_rounding).or_else(|| of_ray(scene, parting, gpu, &twin)).unwrap_or(Why::Unexplained)
         }
     });
     Verdict { twin, walked, comparison, why }
+}
+
+/// How near a path has to come to a number of the kernel's that is far from the twin's.
+const ALIKE: f64 = 1e-4;
+
+/// Whether a path comes to what the kernel does where its number is another: a frame about a normal may be turned.
+fn comes_to(parting: &Parting, row: &Row, path: &[Turn]) -> bool {
+    let turn = path.get(parting.turn);
+    let number = turn.and_then(|turn| numbers_of(turn).find(|(name, _)| *name == row.name));
+    let size = row.gpu.largest().max(f64::MIN_POSITIVE);
+    row.difference > ALIKE && number.is_some_and(|(_, values)| values.distance(&row.gpu) <= ALIKE * size)
+}
+
+/// Where a segment hits the triangle that it leaves, which is flat: by its own rounding alone.
+fn self_hit(parting: &Parting, gpu: &[Turn]) -> Option<f64> {
+    let met = gpu.get(parting.turn).filter(|turn| turn.kind == RayKind::Segment)?.met?;
+    let left = gpu[..parting.turn].iter().rev().find(|turn| turn.kind == RayKind::Segment)?.met?;
+    (parting.name == "triangle" && met.triangle == left.triangle).then_some(met.t)
 }
 
 /// Whether a path decides all as the twin does before a parting, and there as the kernel.
