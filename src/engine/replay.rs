@@ -119,7 +119,8 @@ fn trace_sample(world: &mut World, pixel: UVec2, sample: u32) -> Result<Traced, 
     let tile = if reuses { trace::whole_blocks(&params) } else { params };
     let pixels = u64::from(tile.window_width) * u64::from(tile.window_height);
     let of_tile = if reuses { trace::reuse_buffers(pixels, 1, textured) } else { Vec::new() };
-    for (name, bytes) in trace::buffers(pixels, 1).into_iter().chain(of_tile).chain(replay::buffers()) {
+    // What a tile needs last: it is more of the same buffers than the one place that a replay lends to, and the last word counts.
+    for (name, bytes) in replay::buffers().into_iter().chain(trace::buffers(pixels, 1)).chain(of_tile) {
         device.reserve(name, bytes)?;
     }
     let mut recording = Recording::default();

@@ -9,7 +9,7 @@ use lucerna::layout::replay::{
 
 #[test]
 fn its_layout_has_no_gap() {
-    assert_eq!((PathTurn::LAYOUT.size, PathTurn::LAYOUT.align), (336, 16));
+    assert_eq!((PathTurn::LAYOUT.size, PathTurn::LAYOUT.align), (288, 16));
     assert_eq!((Replayed::LAYOUT.size, Replayed::LAYOUT.align), (32, 16));
     let mut end = 0;
     for field in PathTurn::LAYOUT.fields {
