@@ -58,6 +58,7 @@ mod player;
 mod point_lights;
 mod prepare;
 mod reload;
+mod replay;
 mod reuse;
 mod rooms;
 mod sampler;

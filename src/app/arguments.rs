@@ -12,6 +12,7 @@ use super::help::HelpArguments;
 use super::judge::JudgeArguments;
 use super::new::NewArguments;
 use super::render::RenderArguments;
+use super::replay::ReplayArguments;
 use super::schema::SchemaArguments;
 use super::shared::values::MORE;
 use super::variants::VariantsArguments;
@@ -37,6 +38,8 @@ pub enum Command {
     View(ViewArguments),
     /// Render a scene to PNG, EXR and a report
     Render(RenderArguments),
+    /// Trace one sample of a pixel again, and tell what happens at each vertex of its path
+    Replay(Box<ReplayArguments>),
     /// Write a scene file for a model, framed and lit, ready to edit
     New(NewArguments),
     /// Render while shaders and scene files are edited, and tell what came of every save

@@ -14,6 +14,7 @@ pub mod help;
 pub mod judge;
 mod new;
 mod render;
+pub mod replay;
 mod schema;
 pub mod shared;
 pub mod variants;
@@ -57,6 +58,7 @@ pub fn main() -> ExitCode {
     let result = match command {
         Command::View(view) => window::run(&view),
         Command::Render(render) => render::run(&render, started),
+        Command::Replay(replay) => replay::run(&replay),
         Command::Watch(watch) => watch::run(&watch),
         Command::Variants(family) => variants::run(&family),
         Command::Animate(animation) => animate::run(&animation),

@@ -50,16 +50,22 @@ pub struct LightSampler<'a> {
 impl LightSampler<'_> {
     /// Light at a position: `pick` chooses the light, `u` the point on it.
     pub fn draw(&self, position: DVec3, pick: f64, u: DVec2) -> LightSample {
+        self.draw_bent(position, pick, u, |direction| direction)
+    }
+
+    /// The same in a direction that `bend` makes of the one that was drawn.
+    pub fn draw_bent(&self, position: DVec3, pick: f64, u: DVec2, bend: impl FnOnce(DVec3) -> DVec3) -> LightSample {
         match self.sky {
             Some(sky) if self.lights.lights.is_empty() || pick >= self.light_share => {
                 let direction = match &self.sun {
                     Some(sun) if pick < self.sun_end => sun.draw(u),
                     _ => self.sky_turn * draw_sky(sky, u).direction,
                 };
+                let direction = bend(direction);
                 let (radiance, pdf) = self.beyond(sky, direction);
                 LightSample { direction, pdf, radiance, point_distance: None, triangle: None, weights: [0.0; 2] }
             }
-            _ => self.draw_light(position, pick / self.light_share, u),
+            _ => self.draw_light(position, pick / self.light_share, u, bend),
         }
     }
 
@@ -86,20 +92,20 @@ impl LightSampler<'_> {
     }
 
     /// A light by its power, by one number, and a point of it, by two. There is at least one light.
-    fn draw_light(&self, position: DVec3, pick: f64, u: DVec2) -> LightSample {
+    fn draw_light(&self, position: DVec3, pick: f64, u: DVec2, bend: impl FnOnce(DVec3) -> DVec3) -> LightSample {
         let lights = &self.lights.lights;
         let (column, rest) = alias_pick(pick, lights.len());
         let own = rest < f64::from(lights[column].threshold);
         let light = &lights[if own { column } else { lights[column].other as usize }];
         if let Some(point) = light.point() {
-            return self.draw_point(&point, position);
+            return self.draw_point(&point, position, bend);
         }
         let [a, b, c] = [light.a, light.b, light.c].map(|corner| corner.as_dvec3());
         let half = 0.5 * u.min_element();
         let weights = u - half;
         let offset = a + weights.x * (b - a) + weights.y * (c - a) - position;
         let distance = offset.length();
-        let direction = offset / distance;
+        let direction = bend(offset / distance);
         let area_normal = (b - a).cross(c - a);
         let lit = light.sides() == 2 || area_normal.dot(direction) < 0.0;
         let pdf = solid_angle_pdf(self.area_pdf(light), area_normal, direction, distance);
@@ -113,10 +119,10 @@ impl LightSampler<'_> {
         }
     }
 
-    fn draw_point(&self, light: &PointLightRecord, position: DVec3) -> LightSample {
+    fn draw_point(&self, light: &PointLightRecord, position: DVec3, bend: impl FnOnce(DVec3) -> DVec3) -> LightSample {
         let offset = light.position.as_dvec3() - position;
         let distance = offset.length();
-        let direction = offset.normalize_or_zero();
+        let direction = bend(offset.normalize_or_zero());
         LightSample {
             direction,
             pdf: f64::from(light.power) * self.point_density * distance * distance,

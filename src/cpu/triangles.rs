@@ -111,6 +111,11 @@ impl TriangleSet {
         }
         best
     }
+
+    /// Where a ray meets the plane of a triangle of scene order, within it or not; none if it never does. It looks for the triangle.
+    pub fn plane_of(&self, index: u32, origin: DVec3, direction: DVec3) -> Option<HitF64<'_>> {
+        meet(self.triangles.iter().find(|triangle| triangle.index == index)?, origin, direction)
+    }
 }
 
 impl BoxNode {
@@ -126,8 +131,13 @@ impl BoxNode {
     }
 }
 
-/// Moeller and Trumbore 1997.
+/// Where a ray meets a triangle.
 fn intersect<'a>(triangle: &'a TriangleF64, origin: DVec3, direction: DVec3) -> Option<HitF64<'a>> {
+    meet(triangle, origin, direction).filter(|HitF64 { b: [u, v], .. }| *u >= 0.0 && *v >= 0.0 && u + v <= 1.0)
+}
+
+/// Where a ray meets a triangle's plane (Moeller and Trumbore 1997).
+fn meet<'a>(triangle: &'a TriangleF64, origin: DVec3, direction: DVec3) -> Option<HitF64<'a>> {
     let [a, b, c] = triangle.corners;
     let (e, f) = (b - a, c - a);
     let p = direction.cross(f);
@@ -139,6 +149,5 @@ fn intersect<'a>(triangle: &'a TriangleF64, origin: DVec3, direction: DVec3) -> 
     let u = to_origin.dot(p) / det;
     let q = to_origin.cross(e);
     let v = direction.dot(q) / det;
-    let inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
-    inside.then(|| HitF64 { t: f.dot(q) / det, b: [u, v], triangle })
+    Some(HitF64 { t: f.dot(q) / det, b: [u, v], triangle })
 }

@@ -4,6 +4,7 @@ mod debug;
 mod film;
 mod inspect;
 mod mesh;
+mod replay;
 mod report;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,6 +21,7 @@ pub use debug::DebugRange;
 pub use film::FilmImage;
 pub use inspect::{Inspected, LookedUp, Seen};
 pub use mesh::MeshExtent;
+pub use replay::{Replay, TrianglePlace};
 pub use report::Report;
 
 use crate::components::{self, Camera, Film, Render};
@@ -205,6 +207,17 @@ impl Engine {
     /// What one pixel of the picture holds and sees; none if there is no such pixel, or nothing was traced yet.
     pub fn inspect(&mut self, pixel: UVec2) -> Result<Option<Inspected>, EngineError> {
         inspect::inspect(&mut self.world, pixel)
+    }
+
+    /// A film sample of a pixel of the whole film, traced again, with all that happens on its way; none if there is no such pixel, or no step
+    /// has built the tree yet. The film stays as it is.
+    pub fn replay(&mut self, pixel: UVec2, sample: u32) -> Result<Option<Replay>, EngineError> {
+        Ok(self.replay_all(&[(pixel, sample)])?.pop())
+    }
+
+    /// The same of several, sooner than one by one: those that there are.
+    pub fn replay_all(&mut self, samples: &[(UVec2, u32)]) -> Result<Vec<Replay>, EngineError> {
+        replay::replay_samples(&mut self.world, samples)
     }
 
     /// What is known of the mesh of a name, as it was last extracted; none if there is no such mesh.

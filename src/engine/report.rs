@@ -39,7 +39,7 @@ pub struct Report {
     pub seconds_trace: f64,
     /// Samples of the film that were not added.
     pub bad_samples: u64,
-    /// The first of them.
+    /// The first of them, up to [`BAD_LOG`]; by sample and pixel.
     pub bad_log: Vec<BadSample>,
     /// GPU time by pass since the last report, if timing is on.
     pub passes: Vec<PassTiming>,
@@ -80,7 +80,7 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         seconds_build: spent.build,
         seconds_trace: spent.trace,
         bad_samples: u64::from(bad),
-        bad_log: counters.log[..bad.min(BAD_LOG) as usize].to_vec(),
+        bad_log: sorted(&counters.log[..bad.min(BAD_LOG) as usize]),
         passes: device.timings()?,
         sorted_digits: match device.dispatches().contains_key(SORT_PLAN.name) {
             true => Some(device.read_some::<SortPlan>("sort_plan", 1)?[0].digits_run),
@@ -111,4 +111,11 @@ impl Engine {
     pub fn report(&mut self) -> Result<Report, EngineError> {
         read_report(&mut self.world)
     }
+}
+
+/// Which workgroup logs first is chance.
+fn sorted(log: &[BadSample]) -> Vec<BadSample> {
+    let mut log = log.to_vec();
+    log.sort_by_key(|bad| (bad.sample, bad.pixel));
+    log
 }

@@ -100,7 +100,7 @@ gpu_struct! {
 
 gpu_consts! {
     /// Entries of [`FilmCounters::log`].
-    pub const BAD_LOG: u32 = 64;
+    pub const BAD_LOG: u32 = 1024;
     /// A bad sample whose bounce is not known: it went bad in the film.
     pub const UNKNOWN_BOUNCE: u32 = 0x00ff_ffff;
     /// Scaled radiance of one sample is below 2^this, 2^16 times the largest emission.

@@ -11,6 +11,7 @@ pub mod film;
 pub mod light;
 pub mod lint;
 pub mod ray;
+pub mod replay;
 pub mod sky;
 pub mod sort;
 pub mod texture;
@@ -64,6 +65,8 @@ pub static ALL: &[&StructLayout] = &[
     &lint::LintCase::LAYOUT,
     &lint::LintAnswer::LAYOUT,
     &lint::LintParams::LAYOUT,
+    &replay::PathTurn::LAYOUT,
+    &replay::Replayed::LAYOUT,
 ];
 
 /// Every struct that WGSL may read by vectors of four words: what unpacks them is imported from `package::gen` as well.
@@ -86,6 +89,7 @@ pub static CONSTS: &[&[GpuConst]] = &[
     alias::CONSTS,
     tree::CONSTS,
     ray::CONSTS,
+    replay::CONSTS,
     trace::CONSTS,
     texture::CONSTS,
     film::CONSTS,

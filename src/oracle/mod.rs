@@ -20,6 +20,7 @@ mod substance;
 mod tangents;
 pub mod texture;
 mod tree;
+mod vertex;
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -29,6 +30,7 @@ use glam::{DVec3, UVec2};
 
 pub use random::Random;
 pub use scene::OracleError;
+pub use vertex::Vertex;
 
 use light::Lights;
 use points::PointLights;

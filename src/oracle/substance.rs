@@ -118,6 +118,16 @@ impl Substance {
         random.unit() < self.coverage * opacity.filtered(uv).x
     }
 
+    /// Whether it is not there somewhere.
+    pub fn has_holes(&self) -> bool {
+        self.opacity.is_some()
+    }
+
+    /// Whether no map changes what it does with light.
+    pub fn is_the_same_everywhere(&self) -> bool {
+        [&self.diffuse, &self.specular, &self.lobe, &self.metallic, &self.relief].into_iter().all(Option::is_none)
+    }
+
     pub fn has_relief(&self) -> bool {
         self.relief.is_some()
     }

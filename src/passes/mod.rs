@@ -12,6 +12,7 @@ pub mod lattice;
 pub mod lint;
 mod pass;
 mod recording;
+pub mod replay;
 pub mod sort;
 pub mod table;
 mod textures;

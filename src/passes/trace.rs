@@ -13,7 +13,7 @@ use crate::layout::trace::{
 use crate::layout::tree::FEW_TRIANGLES;
 
 /// What tracing a path reads, whatever becomes of it.
-pub const TRACED: [Binding; 18] = Binding::list::<18>(&[
+pub const TRACED: [Binding; 19] = Binding::list::<19>(&[
     &[
         Binding::read("nodes", "array<vec4<u32>>"),
         Binding::read("leaves", "array<vec4<u32>>"),
@@ -34,6 +34,7 @@ pub const TRACED: [Binding; 18] = Binding::list::<18>(&[
         Binding::write("gather_points", "array<GatherPoint>").when(&["reuse"]),
         Binding::write("lent_points", "array<LentPoint>").when(&["reuse"]),
         Binding::write("gather_materials", "array<MaterialRecord>").when(&["textures"]).and(&["reuse"]),
+        Binding::write("turns", "array<PathTurn>").when(&["record"]),
     ],
 ]);
 
@@ -43,7 +44,7 @@ pub static PATH: Pass = Pass {
     module: "passes/trace/path",
     entry: "path",
     features: &[],
-    bindings: &Binding::list::<19>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
+    bindings: &Binding::list::<20>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
     makes: &[Makes::Film],
     twin: twin!(path::PathScene::sample),
 };

@@ -11,6 +11,7 @@ mod progress;
 mod quality;
 mod refusals;
 mod render;
+mod replay;
 mod shaders;
 #[cfg(unix)]
 mod signals;

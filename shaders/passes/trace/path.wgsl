@@ -31,7 +31,9 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 @if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
+@if(record) import package::lib::record::{turn};
 import package::passes::trace::materials::{load_material};
+@if(record) import package::passes::trace::record::{begin_turn, end_turn, note_drawn, note_surface};
 import package::passes::trace::scene::{load_leaf, scene_extent};
 @if(reuse) import package::passes::trace::reuse::{begin_lending, end_lending, lend_on, lent};
 @if(reuse) import package::passes::trace::reuse::{note_gather_point, note_lent_point};
@@ -77,6 +79,7 @@ fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, materi
 // Adds to the pixel, and where paths are reused `lent_light` to what the path lends; whether the path is still good.
 fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, @if(reuse) lent_light: vec3<f32>, material: u32) -> bool {
     (*state).radiance += light;
+    @if(record) turn.added = light;
     var good = check(state, (*state).radiance, params.largest, material);
     @if(reuse) {
         lent.radiance += lent_light;
@@ -140,6 +143,7 @@ fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f3
     }
     let survival = select(1.0, min(1.0, largest_of(most) * (*state).eta_scale), played);
     (*state).throughput /= survival;
+    @if(record) turn.survival = survival;
     @if(reuse) {
         lent.throughput /= survival;
     }
@@ -150,6 +154,7 @@ fn survive(state: ptr<function, PathState>, surface: Surface, direction: vec3<f3
 fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) -> bool {
     let u = sample_2d((*state).key, dimension(state, SLOT_DIRECTION));
     let drawn = mixture_sample(surface.material, surface.frame, choices.lobe, u);
+    @if(record) note_drawn(u, drawn);
     var alive: bool;
     @if(reuse) {
         let parts = lend_on(*state, surface, drawn);
@@ -197,6 +202,7 @@ fn incident_radiance(state: ptr<function, PathState>, hit: Hit, material: Materi
         @if(environment) {
             light = params.environment;
         }
+        @if(record) turn.emitted = light;
         @if(sky || sky_light) {
             light = sky_found(params, (*state).direction, (*state).pdf);
         }
@@ -204,12 +210,14 @@ fn incident_radiance(state: ptr<function, PathState>, hit: Hit, material: Materi
         @if(emitters) {
             light = emitted(material, dot(area_normal, (*state).direction) > 0.0);
         }
+        @if(record) turn.emitted = light;
         @if(lights) {
             if ((*state).pdf > 0.0) {
                 var distance = hit.t;
                 @if(alpha || thin) {
                     distance += (*state).passed;
                 }
+                @if(record) turn.found_pdf = light_pdf(params, material, mean, area_normal, (*state).direction, distance);
                 light *= power_heuristic((*state).pdf, light_pdf(params, material, mean, area_normal, (*state).direction, distance));
             }
         }
@@ -267,6 +275,7 @@ fn shade(state: ptr<function, PathState>, hit: Hit, @if(reuse) place: u32) -> Sh
             material = textured(material, texturing.maps, texturing.point, texturing.colours);
         }
         var surface = surface_at(triangle, hit, material, frame);
+        @if(record) note_surface(surface);
         @if(reuse) {
             if ((*state).bounce == 0u && params.keeps == 0u) {
                 note_gather_point(place, surface);
@@ -277,6 +286,7 @@ fn shade(state: ptr<function, PathState>, hit: Hit, @if(reuse) place: u32) -> Sh
         }
         let u = sample_4d((*state).key, dimension(state, SLOT_CHOICES));
         var choices = Choices(u.x, u.y, u.z, 0.0);
+        @if(record) turn.choices = u;
         @if(thin && relief) {
             surface.bent = is_bent(material, texturing.maps);
         }
@@ -325,7 +335,9 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
         }
         for (var i = 0u; i < most; i++) {
             let hit = extend(&state, ray, extent, select(0.0, connection.enough, is_shadow_ray));
+            @if(record) begin_turn(state, ray, hit, is_shadow_ray);
             if (is_shadow_ray) {
+                @if(record) turn.throughput = connection.light;
                 let seen = sees_light(connection, hit);
                 if (seen) {
                     alive = add_radiance(&state, connection.light, @if(reuse) connection.lent, NO_MATERIAL) && alive;
@@ -340,6 +352,7 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
                 connection = shaded.connection;
                 is_shadow_ray = state.fault == 0u && is_needed(connection);
             }
+            @if(record) end_turn(state);
             if (!alive && !is_shadow_ray) {
                 break;
             }
@@ -352,7 +365,10 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
     @if(!lights && !sky_light) {
         for (var segment = 0u; segment < params.max_depth; segment++) {
             let hit = extend(&state, segment_ray(state), extent, 0.0);
-            if (!shade(&state, hit, @if(reuse) place).alive) {
+            @if(record) begin_turn(state, segment_ray(state), hit, false);
+            let alive = shade(&state, hit, @if(reuse) place).alive;
+            @if(record) end_turn(state);
+            if (!alive) {
                 break;
             }
         }

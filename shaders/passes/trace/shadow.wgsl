@@ -7,6 +7,7 @@ import package::lib::intersect::{offset_ray_origin};
 @if(alpha || thin) import package::lib::intersect::{surface_point, triangle_normal};
 @if(lights || sky_light) import package::lib::light::{power_heuristic};
 @if(lights || sky_light) import package::lib::math::{largest_of};
+@if(record && (lights || sky_light)) import package::lib::record::{note_light, turn};
 @if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, draw_light};
 @if(lights && point_lights) import package::passes::trace::connect::{is_point};
 @if(alpha || thin) import package::passes::trace::materials::{load_material};
@@ -46,6 +47,7 @@ struct Connection {
 fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u: vec2<f32>, texel: f32) -> Connection {
     let drawn = draw_light(params, surface.position, pick, u, texel);
     let at = mixture_evaluate(surface.material, surface.frame, drawn.direction);
+    @if(record) note_light(u, drawn.direction, drawn.pdf, drawn.radiance, drawn.triangle, at.value, at.pdf);
     var light = vec3<f32>(0.0);
     @if(reuse) var lent_light = vec3<f32>(0.0);
     if (drawn.pdf > 0.0 && at.pdf > 0.0) {
@@ -53,6 +55,7 @@ fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u
         @if(lights && point_lights) {
             weight = select(weight, 1.0, is_point(drawn));
         }
+        @if(record) turn.light_weight = weight;
         let arriving = drawn.radiance * (weight / drawn.pdf);
         @if(reuse) {
             let parts = parts_of(state, surface, drawn.direction, at.value, 1.0);

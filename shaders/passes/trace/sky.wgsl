@@ -5,6 +5,7 @@ import package::gen::{TraceParams};
 @if(sky_light) import package::lib::alias::{alias_pick};
 import package::lib::colour::{luminance};
 @if(sky_light) import package::lib::light::{power_heuristic};
+@if(record) import package::lib::record::{turn};
 import package::lib::sky::{sky_cell};
 @if(sky_light) import package::lib::sky::{sky_direction};
 @if(sun) import package::lib::sun::{sun_covers};
@@ -43,7 +44,9 @@ fn sky_found(params: TraceParams, direction: vec3<f32>, pdf: f32) -> vec3<f32> {
     @if(sun) let covered = sun_covers(params.sun_direction, params.sun_chord_squared, direction);
     @if(sun) light += select(vec3<f32>(0.0), params.sun_radiance, covered);
     @if(sun && sky_light) asked += select(0.0, params.sun_density, covered);
+    @if(record) turn.emitted = light;
     @if(sky_light) {
+        @if(record) turn.found_pdf = asked;
         if (pdf > 0.0) {
             light *= power_heuristic(pdf, asked);
         }

@@ -112,11 +112,8 @@ fn save_and_report(summary: &RenderSummary, outputs: &mut Outputs) -> Result<boo
     };
     let whole = output::all_written(outputs.write(&picture, |written| summary.json(written)));
     let arguments = summary.arguments;
-    if summary.report.bad_samples > 0 && !arguments.quiet {
-        output::note(&format!(
-            "warning: {} samples were no numbers, or too large, and were left out; --json lists the first",
-            summary.report.bad_samples
-        ));
+    if !arguments.quiet {
+        summary.bad_lines().iter().for_each(|line| output::note(line));
     }
     if summary.ended == Ended::Interrupted && !arguments.quiet {
         let of = summary.until.spp.map_or(String::new(), |spp| format!(" of {spp}"));

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use glam::UVec2;
 use serde_json::{Value, json};
 
 use super::arguments::RenderArguments;
@@ -16,6 +17,9 @@ use crate::passes::features::{FEATURES, Feature};
 use crate::passes::table::TABLE;
 use crate::scene::SceneDescription;
 use crate::scene::settings::Named;
+
+/// Bad samples whose command lines are shown.
+const TOLD: usize = 4;
 
 /// Wall-clock seconds of the phases.
 #[derive(Clone, Copy, Debug, Default)]
@@ -163,19 +167,40 @@ impl RenderSummary<'_> {
     }
 
     fn bad_sample(&self, bad: &BadSample) -> Value {
-        let width = self.film.size.x.max(1);
+        let pixel = self.pixel(bad);
         json!({
-            "pixel": [bad.pixel % width, bad.pixel / width],
+            "pixel": [pixel.x, pixel.y],
             "sample": bad.sample,
             "bounce": bad.bounce,
             "material": bad.material,
             "kind": bad.kind,
+            "replay": self.described().replay(pixel, bad.sample),
         })
     }
 
     /// What the film tells of its error; with one sample a pixel, nothing.
     fn error(&self) -> Option<FilmError> {
         (self.film.spp > 1).then_some(self.film.error)
+    }
+
+    fn pixel(&self, bad: &BadSample) -> UVec2 {
+        let width = self.film.size.x.max(1);
+        UVec2::new(bad.pixel % width, bad.pixel / width)
+    }
+
+    /// What is said of bad samples: how many there are, and how the first of them are replayed. Nothing without any.
+    pub fn bad_lines(&self) -> Vec<String> {
+        let (report, shown) = (self.report, self.report.bad_log.iter().take(TOLD));
+        if report.bad_samples == 0 {
+            return Vec::new();
+        }
+        let count = report.bad_samples;
+        let kept = report.bad_log.len();
+        let head = format!(
+            "warning: {count} samples were no numbers, or too large, and were left out; --json lists {kept} of them, these show the first:"
+        );
+        let line = |bad: &BadSample| format!("  {}", self.described().replay(self.pixel(bad), bad.sample));
+        std::iter::once(head).chain(shown.map(line)).collect()
     }
 
     fn rays_per_second(&self) -> f64 {

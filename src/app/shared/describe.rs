@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use glam::UVec2;
+
 use crate::components::Crop;
 use crate::scene::settings::{SETTINGS, Setting, Settings};
 use crate::scene::{Define, SceneDescription};
@@ -45,15 +47,26 @@ impl Described<'_> {
 
     /// A command line that gives the same film again.
     pub fn repeat(&self) -> String {
-        let scene = self.description;
-        let mut words = vec!["lucerna".to_owned(), "render".to_owned(), quoted(&self.path.display().to_string())];
-        let mut option = |name: &str, value: String| words.extend([name.to_owned(), quoted(&value)]);
         // Interrupted within the first sample, there is none to be had again that is whole.
-        option("--spp", self.spp.max(1).to_string());
-        option("--size", format!("{}x{}", scene.film.size.x, scene.film.size.y));
-        if scene.film.crop.is_some() {
-            option("--crop", crop(self.window));
+        let mut own = vec![("--spp", self.spp.max(1).to_string())];
+        if self.description.film.crop.is_some() {
+            own.push(("--crop", crop(self.window)));
         }
+        self.line("render", own)
+    }
+
+    /// A command line that replays one of its samples: of a pixel of the whole picture.
+    pub fn replay(&self, pixel: UVec2, sample: u32) -> String {
+        self.line("replay", vec![("--pixel", format!("{},{}", pixel.x, pixel.y)), ("--sample", sample.to_string())])
+    }
+
+    /// A command with options of its own, and with all that its film follows from.
+    fn line(&self, command: &str, own: Vec<(&str, String)>) -> String {
+        let scene = self.description;
+        let mut words = vec!["lucerna".to_owned(), command.to_owned(), quoted(&self.path.display().to_string())];
+        let mut option = |name: &str, value: String| words.extend([name.to_owned(), quoted(&value)]);
+        own.into_iter().for_each(|(name, value)| option(name, value));
+        option("--size", format!("{}x{}", scene.film.size.x, scene.film.size.y));
         option("--camera", scene.active.clone());
         for (setting, text) in settings(scene) {
             if let Some(flag) = setting.flag {

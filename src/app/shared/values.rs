@@ -66,6 +66,13 @@ pub fn crop(text: &str) -> Result<Crop, String> {
     }
 }
 
+/// A pixel, `X,Y`.
+pub fn pixel(text: &str) -> Result<UVec2, String> {
+    let numbers =
+        text.split_once(',').and_then(|(x, y)| Some(UVec2::new(x.trim().parse().ok()?, y.trim().parse().ok()?)));
+    numbers.ok_or_else(|| "expected X,Y in whole pixels, counted from 0".into())
+}
+
 /// `KEY=VALUE`.
 pub fn define(text: &str) -> Result<Define, String> {
     match text.split_once('=') {
