@@ -16,6 +16,7 @@ mod new;
 mod render;
 mod schema;
 pub mod shared;
+mod stress;
 pub mod variants;
 mod watch;
 pub mod window;
@@ -68,6 +69,7 @@ pub fn main() -> ExitCode {
         Command::Doctor => doctor::run(),
         Command::Bench(bench) => bench.run(),
         Command::Judge(judge) => judge::run(&judge),
+        Command::Stress(stress) => stress::run(&stress),
         Command::Edits(edits) => edits::run(&edits),
         Command::Export(export) => export::run(&export),
     };

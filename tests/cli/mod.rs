@@ -14,6 +14,7 @@ mod render;
 mod shaders;
 #[cfg(unix)]
 mod signals;
+mod stress;
 
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
