@@ -163,7 +163,9 @@ fn cases_are_taken_together_by_the_worst_or_by_their_sum() {
     let of = |value: f64, note: &str| Measured::new(value, 5).noted(note);
     let worst = of(1.0, "a").worst(of(3.0, "b")).worst(of(2.0, "c"));
     assert_eq!((worst.value, worst.samples, worst.note.as_str()), (3.0, 15, "b"));
-    assert!(of(f64::NAN, "a").worst(of(3.0, "b")).value.is_nan());
+    for nan in [f64::NAN, -f64::NAN] {
+        assert!(of(nan, "a").worst(of(3.0, "b")).value.is_nan() && of(3.0, "a").worst(of(nan, "b")).value.is_nan());
+    }
     let sum = of(0.0, "a").plus(of(2.0, "b")).plus(of(1.0, "c"));
     assert_eq!((sum.value, sum.samples, sum.note.as_str()), (3.0, 15, "b"));
     assert_eq!(of(0.0, "a").plus(of(0.0, "b")).note, "");

@@ -51,8 +51,8 @@ impl Agreement {
 
     /// The greater disagreement of two, and the greater noise; NaN is the greatest.
     pub fn worst(self, other: Self) -> Self {
-        let worse = if self.errors.total_cmp(&other.errors).is_lt() { other } else { self };
-        let noise = if self.noise.total_cmp(&other.noise).is_lt() { other.noise } else { self.noise };
+        let worse = if is_beaten(self.errors, other.errors) { other } else { self };
+        let noise = if is_beaten(self.noise, other.noise) { other.noise } else { self.noise };
         Self { noise, ..worse }
     }
 
@@ -65,6 +65,16 @@ impl Agreement {
             _ => Err(format!("differ by {difference:e}, {errors:.1} standard errors, of a mean of {mean:e}")),
         }
     }
+}
+
+/// Whether the second of two numbers is greater, or no number; nothing beats what is no number, of either sign.
+pub fn is_beaten(number: f64, other: f64) -> bool {
+    !number.is_nan() && (other.is_nan() || other > number)
+}
+
+/// The greatest of numbers that are not negative, or what is no number among them.
+pub fn greatest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().fold(0.0, |most, number| if is_beaten(most, number) { number } else { most })
 }
 
 /// Whether two estimators agree; what is wrong if not.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::row::{Scale, StressError};
+use super::measured::{Scale, StressError};
 use crate::engine::{Engine, EngineError, FilmImage};
 use crate::gpu::{Gpu, Runtime};
 use crate::scene::SceneDescription;

@@ -5,6 +5,7 @@
 //! tracer. It knows nothing of command lines, nor how its figures are shown.
 
 mod lab;
+mod measured;
 mod outcome;
 pub mod planted;
 mod row;
@@ -13,5 +14,6 @@ pub mod scenes;
 pub mod tools;
 
 pub use lab::Lab;
+pub use measured::{Measured, Scale, StressError};
 pub use outcome::{Outcome, Verdict, judge};
-pub use row::{Measured, Row, Scale, StressError};
+pub use row::Row;

@@ -3,7 +3,8 @@
 use std::time::Instant;
 
 use super::lab::Lab;
-use super::row::{Measured, Row, StressError};
+use super::measured::{Measured, StressError};
+use super::row::Row;
 
 /// Whether what must hold does.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,8 +1,9 @@
 //! Mistakes put into the shaders, to show that the rows see them: a row that can't fail says nothing.
 
 use super::lab::Lab;
+use super::measured::StressError;
 use super::outcome::{Outcome, Verdict, judge};
-use super::row::{Row, StressError};
+use super::row::Row;
 use super::rows;
 use crate::shader::Library;
 

@@ -4,8 +4,10 @@ use glam::DVec3;
 
 use crate::cpu::bsdf::Specular::{self, Ggx, Phong};
 use crate::gpu::{GpuError, Runtime};
+use crate::stats::agreement::greatest;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::tools::quadrature::{ggx_albedo, phong_albedo};
 use crate::stress::tools::surface::{ALBEDO, BsdfProbe, frame, probe, run, with_probes};
 
@@ -63,7 +65,7 @@ fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
             };
             let right = both.material.kd.as_dvec3() + both.material.ks.as_dvec3() * of_lobe;
             let note = format!("{lobe:?} at {degrees} degrees");
-            let off = (got - right).abs().max_element();
+            let off = greatest((got - right).abs().to_array());
             all = all.worst(Measured::new(off, u64::from(side * side)).noted(note));
         }
         lab.tell(k as u64 + 1, LOBES.len() as u64);

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use crate::scene;
 use crate::stress::lab::{Lab, finish};
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 
 pub static ROW: Row = Row {
     name: "bad-inputs",

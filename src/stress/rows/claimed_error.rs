@@ -6,7 +6,8 @@ use crate::components::{Render, Reuse, Sampler};
 use crate::scene::{self, SceneDescription};
 use crate::stats::metrics::relative_mse;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, Scale, StressError};
+use crate::stress::measured::{Measured, Scale, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::described::{Inside, room};
 use crate::stress::tools::films::film_of_seed;
 
@@ -33,7 +34,7 @@ fn scenes(lab: &Lab) -> Vec<(String, SceneDescription)> {
     ];
     if lab.scale() == Scale::Full {
         for name in ["cornell-box", "teapot", "glass"] {
-            let loaded = scene::find(name.as_ref()).ok().and_then(|path| scene::load(&path, &[]).ok());
+            let loaded = scene::find(name).ok().and_then(|path| scene::load(&path, &[]).ok());
             if let Some(loaded) = loaded {
                 let mut description = loaded.description;
                 description.film.size = side;

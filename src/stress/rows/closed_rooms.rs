@@ -4,7 +4,8 @@ use glam::{DVec3, UVec2};
 
 use crate::layout::trace::TraceParams;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::prism::{polygons, prism};
 use crate::stress::tools::paths::samples;
 

@@ -5,8 +5,10 @@ use glam::{UVec2, Vec3};
 use crate::components::{Energy, Lobe, Material, Passage};
 use crate::layout::trace::TraceParams;
 use crate::prepare::material;
+use crate::stats::agreement::greatest;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::room::Room;
 use crate::stress::scenes::smooth::{add, meshes};
 use crate::stress::tools::paths::samples;
@@ -52,7 +54,7 @@ fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
             let mean = |at: usize| {
                 got[at..].iter().step_by(pixels).map(|s| f64::from(s.rgb.x)).sum::<f64>() / f64::from(layers)
             };
-            let worst = (0..pixels).map(|at| (mean(at) - 1.0).abs()).fold(0.0, f64::max);
+            let worst = greatest((0..pixels).map(|at| (mean(at) - 1.0).abs()));
             all = all.worst(Measured::new(worst, got.len() as u64).noted(format!("{surface}, {shape}")));
         }
         lab.tell(k as u64 + 1, meshes.len() as u64);

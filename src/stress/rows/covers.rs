@@ -3,7 +3,8 @@
 use glam::Vec3;
 
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::covered::{Covered, PLAIN};
 use crate::stress::scenes::room::Room;
 use crate::stress::tools::paths::samples;

@@ -1,7 +1,8 @@
 //! Closed meshes have no cracks.
 
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::solids::sphere;
 use crate::stress::tools::aimed::{Aimed, aim};
 

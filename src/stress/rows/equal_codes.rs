@@ -1,7 +1,8 @@
 //! Long runs of equal codes.
 
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::clouds::{cloud, point};
 use crate::stress::tools::forest::{built_by_codes, judged, others, rig_for};
 

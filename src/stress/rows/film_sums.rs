@@ -5,8 +5,10 @@ use glam::Vec3;
 use crate::cpu::film::pixel_mean;
 use crate::layout::film::film_exponent;
 use crate::layout::trace::{RadianceSample, TraceParams};
+use crate::stats::agreement::greatest;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::tools::sums::{add, read, reset};
 
 pub static ROW: Row = Row {
@@ -47,7 +49,7 @@ fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
             if samples != count {
                 return Err(StressError::Broken(format!("{samples} samples of {count} were added")));
             }
-            let off = mean.iter().map(|m| (m / f64::from(value) - 1.0).abs()).fold(0.0, f64::max);
+            let off = greatest(mean.iter().map(|m| (m / f64::from(value) - 1.0).abs()));
             all = all.worst(Measured::new(off, u64::from(count)).noted(format!("samples of {value}")));
         }
         films.push(film);

@@ -3,8 +3,10 @@
 use glam::UVec2;
 
 use crate::layout::trace::{SAMPLE_BAD, TraceParams};
+use crate::stats::agreement::greatest;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::boxes::{furnace, inside};
 use crate::stress::tools::paths::samples;
 
@@ -37,8 +39,8 @@ fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
         if let Some(short) = got.iter().find(|sample| sample.info != depth) {
             return Err(StressError::Broken(format!("a path left the box: {short:?}")));
         }
-        let off = |rgb: glam::Vec3| (rgb.as_dvec3() / right - 1.0).abs().max_element();
-        let worst = got.iter().map(|sample| off(sample.rgb)).fold(0.0, f64::max);
+        let off = |rgb: glam::Vec3| greatest((rgb.as_dvec3() / right - 1.0).abs().to_array());
+        let worst = greatest(got.iter().map(|sample| off(sample.rgb)));
         let note = format!("albedo {albedo}, {depth} segments");
         all = all.worst(Measured::new(worst, got.len() as u64).noted(note));
         lab.tell(k as u64 + 1, cases.len() as u64);

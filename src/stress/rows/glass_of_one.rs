@@ -6,7 +6,8 @@ use crate::components::{Energy, Material, Passage};
 use crate::layout::trace::TraceParams;
 use crate::prepare::material;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::room::{Room, matte};
 use crate::stress::tools::paths::samples;
 

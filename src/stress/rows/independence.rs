@@ -5,8 +5,10 @@ use glam::DVec4;
 use crate::cpu::rng::Source;
 use crate::layout::trace::SampleKey;
 use crate::parallel;
+use crate::stats::agreement::greatest;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 
 pub static ROW: Row = Row {
     name: "independence",
@@ -51,7 +53,7 @@ fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
             let sums = parallel::map(pieces as usize, |piece| {
                 (piece as u64 * PIECE..((piece as u64 + 1) * PIECE).min(count)).map(pair).sum::<DVec4>()
             });
-            let off = (sums.into_iter().sum::<DVec4>() * 12.0 / count as f64).abs().max_element();
+            let off = greatest((sums.into_iter().sum::<DVec4>() * 12.0 / count as f64).abs().to_array());
             all = all.worst(Measured::new(off, count).noted(format!("{source:?}, {what}")));
             lab.tell((5 * k + j + 1) as u64, 10);
         }

@@ -8,7 +8,8 @@ use crate::components::{Camera, Environment, MeshData, Render, Transform};
 use crate::scene::generate::{SplitMix, icosphere};
 use crate::scene::{MeshEntry, SceneDescription};
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::described::{empty, matte};
 
 pub static ROW: Row = Row {

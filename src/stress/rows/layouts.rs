@@ -5,7 +5,8 @@ use glam::{DVec3, UVec2};
 use crate::layout::trace::TraceParams;
 use crate::stats::metrics::relative_mse;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::room::Room;
 use crate::stress::tools::paths::samples;
 

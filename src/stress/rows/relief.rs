@@ -7,7 +7,8 @@ use glam::{DAffine3, DVec3, UVec2, Vec2, Vec3};
 use crate::components::{Camera, Channel, Environment, Lobe, Material, Reading, Render, Texels, Texture, TextureImage};
 use crate::scene::{MapUse, SceneDescription, TextureMap, texture_name};
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::described::{add, empty, quad};
 
 pub static ROW: Row = Row {

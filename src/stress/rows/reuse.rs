@@ -6,7 +6,8 @@ use crate::cpu::rng::Source;
 use crate::layout::trace::TraceParams;
 use crate::stats::agreement::{BATCHES, MOST_ERRORS};
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::room::Room;
 use crate::stress::tools::paths::{as_measured, compare, kernel, paths_of, reusing};
 

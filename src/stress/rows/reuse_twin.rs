@@ -5,7 +5,8 @@ use glam::UVec2;
 use crate::layout::trace::TraceParams;
 use crate::stats::agreement::MOST_ERRORS;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, Scale, StressError};
+use crate::stress::measured::{Measured, Scale, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::room::Room;
 use crate::stress::tools::paths::{as_measured, compare, paths_of, reusing, twin_reusing};
 

@@ -6,7 +6,8 @@ use crate::components::Camera;
 use crate::layout::trace::TraceParams;
 use crate::prepare::camera;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::prism::{polygons, prism};
 use crate::stress::tools::paths::samples;
 

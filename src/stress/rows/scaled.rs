@@ -3,7 +3,8 @@
 use crate::layout::ray::{Hit, Ray};
 use crate::scene::generate::Corners;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::rays::hard_rays;
 use crate::stress::scenes::solids::hard_scenes;
 use crate::stress::tools::tracer::{Tracer, others};

@@ -4,7 +4,8 @@ use glam::{DAffine3, DVec3};
 
 use crate::stats::agreement::MOST_ERRORS;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::tools::placed::agree_where_placed;
 
 pub static ROW: Row = Row {

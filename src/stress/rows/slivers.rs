@@ -1,7 +1,8 @@
 //! Triangles a million times as long as high, and some of no area among them.
 
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::solids::{degenerate, slivers};
 use crate::stress::tools::aimed::{Aimed, aim};
 

@@ -5,9 +5,10 @@ use glam::{DVec2, DVec3};
 use crate::components::Wrap;
 use crate::oracle::Random;
 use crate::oracle::texture::Map;
-use crate::stats::agreement::MOST_ERRORS;
+use crate::stats::agreement::{MOST_ERRORS, greatest};
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::tools::lookups::{looked_up, texture};
 
 pub static ROW: Row = Row {
@@ -42,8 +43,8 @@ fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
                 let squares = (0..DRAWS).map(|_| (map.drawn(place, &mut random) - right).powf(2.0)).sum::<DVec3>();
                 let errors = (squares / f64::from(DRAWS) / lookups as f64).map(f64::sqrt);
                 // What single precision rounds is far below the noise, but where there is none.
-                let beyond = ((got - right).abs() - 1e-6).max(DVec3::ZERO);
-                let off = (beyond / errors.max(DVec3::splat(1e-7))).max_element();
+                let beyond = (got - right).abs() - 1e-6;
+                let off = greatest((beyond / errors.max(DVec3::splat(1e-7))).to_array());
                 let note = format!("{} x {}, {wrap:?}, at {place:.3}", picture[0], picture[1]);
                 all = all.worst(Measured::new(off, lookups).noted(note));
             }

@@ -4,8 +4,10 @@ use glam::{DVec2, UVec2};
 
 use crate::components::Wrap;
 use crate::oracle::texture::Map;
+use crate::stats::agreement::greatest;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::tools::lookups::{looked_up, texture};
 
 pub static ROW: Row = Row {
@@ -43,7 +45,7 @@ fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
             for (place, got) in places.iter().zip(looked_up(lab, &texture, &places, spp)?) {
                 // As single precision says the place.
                 let place = place.as_vec2().as_dvec2();
-                let off = (got - map.filtered(place)).abs().max_element();
+                let off = greatest((got - map.filtered(place)).abs().to_array());
                 let note = format!("{} x {}, {wrap:?}, at {place}", picture[0], picture[1]);
                 all = all.worst(Measured::new(off, 4 * u64::from(spp)).noted(note));
             }

@@ -1,7 +1,8 @@
 //! Lamps of a millionth of the scene's size, some of them grazing.
 
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::lamp::tiny_lamps;
 use crate::stress::tools::lamps::seen;
 

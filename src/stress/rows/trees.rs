@@ -2,7 +2,8 @@
 
 use crate::cpu::tree;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, Scale, StressError};
+use crate::stress::measured::{Measured, Scale, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::clouds::{cloud, clustered, point, scenes};
 use crate::stress::tools::forest::{built, judged, others, rig_for};
 

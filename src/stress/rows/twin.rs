@@ -6,7 +6,8 @@ use crate::cpu::rng::Source;
 use crate::layout::trace::TraceParams;
 use crate::stats::agreement::MOST_ERRORS;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, Scale, StressError};
+use crate::stress::measured::{Measured, Scale, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::room::Room;
 use crate::stress::tools::paths::{against_twin, as_measured, paths_of};
 

@@ -7,7 +7,8 @@ use crate::layout::trace::TraceParams;
 use crate::prepare::material;
 use crate::stats::agreement::MOST_ERRORS;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, Row, StressError};
+use crate::stress::measured::{Measured, StressError};
+use crate::stress::row::Row;
 use crate::stress::scenes::covered::{Covered, PLAIN};
 use crate::stress::scenes::room::Room;
 use crate::stress::tools::paths::{as_measured, compare, kernel, paths_of, samples};
@@ -24,8 +25,9 @@ pub static ROW: Row = Row {
 
 const SIDE: u32 = 32;
 
-/// Sheets before the lamp.
+/// Sheets before the lamp, and samples a pixel and batch of it: standard errors of a quarter of a percent.
 const BEFORE_LAMP: u32 = 6;
+const LAYERS: u32 = 1600;
 
 fn veil(opacity: f32) -> Material {
     Material { passage: Passage::SeeThrough(opacity), filter: Vec3::ONE, ..Material::BLACK }
@@ -78,7 +80,7 @@ fn before_a_lamp(lab: &Lab) -> Result<Measured, StressError> {
         room.quad(Vec3::new(-2.0, y, 2.0), 4.0 * Vec3::X, -4.0 * Vec3::Z, of);
     }
     let sampling = Room { next_event: true, ..room.clone() };
-    let of_room = |room: &Room, seed| TraceParams { seed, max_depth: 2 + BEFORE_LAMP, ..stage.params(room, 3200) };
+    let of_room = |room: &Room, seed| TraceParams { seed, max_depth: 2 + BEFORE_LAMP, ..stage.params(room, LAYERS) };
     let params = of_room(&room, 1);
     let agreement = compare(
         kernel(lab.gpu(), lab.library().clone(), &sampling, &of_room(&sampling, 2))?,

@@ -3,10 +3,9 @@
 use crate::gpu::{GpuError, Runtime};
 use crate::layout::tree::root;
 use crate::passes::{Binding, Pass, Recording, Size, Twin, clear};
+use crate::scene::generate::Corners;
 use crate::stress::lab::Lab;
 use crate::stress::tools::trees::{Cut, build};
-
-use crate::scene::generate::Corners;
 
 gpu_struct! {
     /// What rays are aimed at.

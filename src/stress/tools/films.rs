@@ -9,7 +9,7 @@ use crate::engine::{Engine, FilmImage};
 use crate::layout::trace::TraceParams;
 use crate::scene::SceneDescription;
 use crate::stress::lab::{Lab, finish};
-use crate::stress::row::StressError;
+use crate::stress::measured::StressError;
 
 /// A scene's film by the seeds from `first` on, as sums over blocks.
 pub fn estimates(lab: &Lab, description: &SceneDescription, first: u32) -> Result<impl Estimator + use<>, StressError> {

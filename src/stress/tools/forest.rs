@@ -8,7 +8,7 @@ use crate::layout::tree::{Node, Triangle, node_count};
 use crate::passes::tree::lbvh;
 use crate::passes::{Recording, clear};
 use crate::stress::lab::Lab;
-use crate::stress::row::StressError;
+use crate::stress::measured::StressError;
 
 /// A device with buffers for so many triangles.
 pub fn rig_for(lab: &Lab, n: u32) -> Result<Runtime, GpuError> {

@@ -3,7 +3,7 @@
 use super::paths::samples;
 use crate::layout::trace::SAMPLE_BAD;
 use crate::stress::lab::Lab;
-use crate::stress::row::StressError;
+use crate::stress::measured::StressError;
 use crate::stress::scenes::lamp::Lamp;
 use crate::stress::scenes::room::Room;
 

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec2, DVec3, UVec2, Vec2, Vec3};
 
-use crate::components::{Camera, Material, MeshData, Render, Texels, Texture, TextureFilter, TextureImage, Wrap};
-use crate::components::{Reading, Sampler};
+use crate::components::{
+    Camera, Material, MeshData, Reading, Render, Sampler, Texels, Texture, TextureFilter, TextureImage, Wrap,
+};
 use crate::scene::{MapUse, SceneDescription, TextureMap, texture_name};
 use crate::stress::lab::Lab;
-use crate::stress::row::StressError;
+use crate::stress::measured::StressError;
 use crate::stress::scenes::described::{add, empty};
 
 /// Pixels of a patch's side. Of each the inner ones are looked at, which see nothing of its neighbours.

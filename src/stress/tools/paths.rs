@@ -1,6 +1,7 @@
 //! Sums of what paths find in blocks of pixels, by the kernels and by their twins, and whether two estimators agree.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use glam::{DVec3, UVec2};
 
@@ -10,9 +11,8 @@ use crate::gpu::{Gpu, Runtime};
 use crate::layout::trace::{RadianceSample, SAMPLE_BAD, TraceParams};
 use crate::shader::Library;
 use crate::stats::agreement::{Agreement, BATCHES, MOST_NOISE, Pairs};
-use crate::stress::row::{Measured, StressError};
+use crate::stress::measured::{Measured, StressError};
 use crate::stress::scenes::room::Room;
-use std::sync::Arc;
 
 /// Pixels of a side of a block whose mean is compared.
 const BLOCK: u32 = 8;

@@ -6,7 +6,7 @@ use super::films::{film_of_seed, film_sums};
 use super::paths::{Sums, as_measured, compare};
 use crate::stats::agreement::BATCHES;
 use crate::stress::lab::Lab;
-use crate::stress::row::{Measured, StressError};
+use crate::stress::measured::{Measured, StressError};
 use crate::stress::scenes::described::{Inside, room};
 
 const SIDE: u32 = 16;
