@@ -19,6 +19,7 @@ pub mod prepare;
 pub mod scene;
 pub mod shader;
 pub mod stats;
+pub mod stress;
 pub mod systems;
 pub mod watch;
 

@@ -79,7 +79,7 @@ fn a_white_room_under_a_smooth_coat_is_a_geometric_series() {
     let wall = room.material(material::pack(&wall, Energy::Preserve));
     room.walls([Some(wall); 6]);
     let mut rig = support::rig();
-    room.load(&mut rig);
+    room.load(&mut rig).unwrap();
     let params = TraceParams { layers: 32, ..inside(&room, UVec2::splat(24), 16) };
     let got = samples(&mut rig, &params);
     let mean = got.iter().map(|sample| f64::from(sample.rgb.x)).sum::<f64>() / got.len() as f64;

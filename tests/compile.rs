@@ -59,7 +59,7 @@ fn compile(coat: f32, reuse: bool) -> Duration {
     let mut room = Room { roulette: true, reuse, next_event: true, sampler: Source::Sobol, ..Room::cornell() };
     room.materials.iter_mut().for_each(|material| (material.coat, material.coat_alpha) = (coat, 0.1 * coat));
     let mut rig = support::rig();
-    room.load(&mut rig);
+    room.load(&mut rig).unwrap();
     let params = room.params(UVec2::splat(8));
     rig.wait().unwrap();
     let start = clock();

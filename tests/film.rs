@@ -13,6 +13,7 @@ use lucerna::layout::trace::{
 use lucerna::passes::Recording;
 use lucerna::passes::film;
 use lucerna::passes::lattice::Lattice;
+use lucerna::stress::tools::sums;
 
 use crate::support;
 
@@ -34,25 +35,16 @@ fn pixels(params: &TraceParams) -> u32 {
 
 /// An empty film for the window.
 fn reset(rig: &mut Runtime, params: &TraceParams) {
-    for (name, bytes) in film::buffers(u64::from(pixels(params))) {
-        rig.reserve(name, bytes).unwrap();
-    }
-    let mut recording = Recording::default();
-    film::record_reset(&mut recording, pixels(params));
-    rig.play(&recording).unwrap();
+    sums::reset(rig, params).unwrap();
 }
 
 /// Adds samples, as many layers as there are.
 fn add(rig: &mut Runtime, params: &TraceParams, first_sample: u32, samples: &[RadianceSample], exponent: i32) {
-    rig.upload("radiance", samples).unwrap();
-    let params = TraceParams { first_sample, layers: samples.len() as u32 / pixels(params), ..*params };
-    let mut recording = Recording::default();
-    film::record_accumulate(&mut recording, &film::accumulate_params(&params, exponent, &params));
-    rig.play(&recording).unwrap();
+    sums::add(rig, params, first_sample, samples, exponent).unwrap();
 }
 
 fn read(rig: &Runtime, params: &TraceParams) -> (Vec<FilmPixel>, FilmCounters) {
-    (rig.read_some("film", pixels(params) as usize).unwrap(), rig.read_some("counters", 1).unwrap()[0])
+    sums::read(rig, params).unwrap()
 }
 
 fn twin(params: &TraceParams, samples: &[RadianceSample], exponent: i32) -> (Vec<FilmPixel>, Counted) {
@@ -189,34 +181,6 @@ fn a_batch_of_some_pixels_equals_the_twin_and_touches_no_other() {
             assert_eq!(count, if on_it { 3 } else { 0 }, "{at} of {lattice:?}");
         }
     }
-}
-
-#[test]
-fn a_million_equal_samples_lose_nothing() {
-    let params = window(3, 1);
-    let values = [0.1f32, 0.3, 0.7];
-    let mut rig = support::rig();
-    let mut films = Vec::new();
-    for layers in [16_384u32, 9_973] {
-        reset(&mut rig, &params);
-        let mut first = 0;
-        while first < 1_000_000 {
-            let count = layers.min(1_000_000 - first);
-            let part: Vec<_> = (0..count * 3).map(|i| grey(values[i as usize % 3])).collect();
-            add(&mut rig, &params, first, &part, film_exponent(0.7));
-            first += count;
-        }
-        let (film, counters) = read(&rig, &params);
-        assert_eq!(rays(&counters), 3_000_000);
-        for (pixel, value) in film.iter().zip(values) {
-            let (mean, count) = pixel_mean(pixel, film_exponent(0.7));
-            assert_eq!(count, 1_000_000);
-            let right = f64::from(value);
-            assert!(mean.iter().all(|m| (m - right).abs() < 1e-6 * right), "{mean:?} instead of {right}");
-        }
-        films.push(film);
-    }
-    assert_eq!(films[0], films[1]);
 }
 
 #[test]

@@ -1,95 +1,15 @@
 //! Coarse meshes with smooth normals where all around is equally bright: what is not absorbed comes back, whatever the normals say.
 
-use std::f32::consts::{PI, TAU};
-
-use glam::{Mat3, UVec2, Vec3};
+use glam::{UVec2, Vec3};
 use lucerna::components::{Energy, Lobe, Material, Passage};
-use lucerna::layout::trace::{MaterialRecord, Shading, TraceParams};
+use lucerna::layout::trace::{MaterialRecord, TraceParams};
 use lucerna::prepare::material;
 use lucerna::shader::Library;
+use lucerna::stress::scenes::smooth::{Smooth, add, backwards, ball, cube, meshes, torus};
 
 use crate::path::{against_twin, compare_integrators, samples, small};
 use crate::rooms::{Room, matte};
 use crate::support;
-
-/// Corners of a triangle, and the normals there.
-type Smooth = ([Vec3; 3], [Vec3; 3]);
-
-/// A mesh over a grid of `columns` by `rows` cells, from where each corner and its normal are; both parameters in 0 to 1.
-fn grid(columns: usize, rows: usize, at: impl Fn(f32, f32) -> (Vec3, Vec3)) -> Vec<Smooth> {
-    let corner = |i: usize, j: usize| at((j % columns) as f32 / columns as f32, i as f32 / rows as f32);
-    let mut mesh = Vec::new();
-    for i in 0..rows {
-        for j in 0..columns {
-            let cell = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
-            for [a, b, c] in [[0, 2, 1], [0, 3, 2]] {
-                let (points, normals) = ([a, b, c].map(|k| cell[k].0), [a, b, c].map(|k| cell[k].1));
-                // At a pole one of a cell's triangles is a line.
-                if (points[1] - points[0]).cross(points[2] - points[0]).length() > 1e-6 {
-                    mesh.push((points, normals));
-                }
-            }
-        }
-    }
-    mesh
-}
-
-/// A ball around the origin.
-fn ball(columns: usize, rows: usize) -> Vec<Smooth> {
-    grid(columns, rows, |u, v| {
-        let ((sin, cos), (sin_turn, cos_turn)) = ((PI * v).sin_cos(), (TAU * u).sin_cos());
-        let n = Vec3::new(sin * cos_turn, cos, sin * sin_turn);
-        (n, n)
-    })
-}
-
-fn torus(columns: usize, rows: usize) -> Vec<Smooth> {
-    let tip = Mat3::from_rotation_x(0.9);
-    grid(columns, rows, |u, v| {
-        let ((sin, cos), (sin_turn, cos_turn)) = ((TAU * v.fract()).sin_cos(), (TAU * u).sin_cos());
-        let n = Vec3::new(cos * cos_turn, -sin, cos * sin_turn);
-        (tip * (0.7 * Vec3::new(cos_turn, 0.0, sin_turn) + 0.3 * n), tip * n)
-    })
-}
-
-/// A cube with the normals of a ball: they lean by up to 55 degrees.
-fn cube() -> Vec<Smooth> {
-    let turn = Mat3::from_rotation_x(0.5) * Mat3::from_rotation_y(0.6);
-    let mut mesh = Vec::new();
-    for axis in 0..3 {
-        for sign in [-1.0, 1.0] {
-            let (e, f) = (Vec3::AXES[(axis + 1) % 3] * sign, Vec3::AXES[(axis + 2) % 3]);
-            let corner = |x: f32, y: f32| turn * (Vec3::AXES[axis] * sign + e * x + f * y);
-            let [a, b, c, d] = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
-            for points in [[a, b, c], [a, c, d]] {
-                mesh.push((points.map(|p| 0.57 * p), points.map(Vec3::normalize)));
-            }
-        }
-    }
-    mesh
-}
-
-fn backwards(mesh: Vec<Smooth>) -> Vec<Smooth> {
-    mesh.into_iter().map(|(points, normals)| (points, normals.map(|n| -n))).collect()
-}
-
-fn meshes() -> Vec<(&'static str, Vec<Smooth>)> {
-    vec![
-        ("ball of 8 x 6", ball(8, 6)),
-        ("ball of 16 x 12", ball(16, 12)),
-        ("torus", torus(12, 8)),
-        ("cube", cube()),
-        ("normals inwards", backwards(ball(10, 7))),
-    ]
-}
-
-fn add(room: &mut Room, mesh: &[Smooth], centre: Vec3, radius: f32, material: u32) {
-    room.shading.resize(room.triangles.len(), Shading::default());
-    for (points, normals) in mesh {
-        room.triangle(points.map(|p| centre + radius * p), material);
-        room.shading.push(Shading::pack(*normals));
-    }
-}
 
 fn pack(values: Material) -> MaterialRecord {
     material::pack(&values, Energy::Preserve)
@@ -109,7 +29,7 @@ fn in_the_open(mesh: &[Smooth], material: MaterialRecord, side: u32, layers: u32
     let material = room.material(material);
     add(&mut room, mesh, Vec3::ZERO, 1.0, material);
     let mut rig = support::rig();
-    room.load(&mut rig);
+    room.load(&mut rig).unwrap();
     let got = samples(&mut rig, &TraceParams { layers, max_depth: 64, ..room.params(UVec2::splat(side)) });
     let pixels = (side * side) as usize;
     (0..pixels).map(|pixel| got.iter().skip(pixel).step_by(pixels).map(|sample| sample.rgb.x).collect()).collect()
@@ -146,17 +66,6 @@ fn glass_loses_a_sample_in_a_thousand_at_most() {
 }
 
 #[test]
-fn nearly_smooth_metal_loses_less_than_a_percent_of_any_pixel() {
-    let metal = Material { diffuse: Vec3::ONE, metallic: 1.0, lobe: Lobe::Ggx(0.02), ..Material::BLACK };
-    for (shape, mesh) in meshes() {
-        for pixel in in_the_open(&mesh, pack(metal), 16, 256) {
-            let mean = pixel.iter().sum::<f32>() / pixel.len() as f32;
-            assert!((mean - 1.0).abs() < 0.01, "{shape}: a pixel of {mean}");
-        }
-    }
-}
-
-#[test]
 fn rough_lobes_lose_what_a_fine_ball_loses() {
     let surfaces = [0.3, 0.6, 1.0].map(|roughness| Material { lobe: Lobe::Ggx(roughness), ..Material::BLACK });
     let phong = [10.0, 300.0].map(|ns| Material { lobe: Lobe::Phong(ns), ..Material::BLACK });
@@ -187,7 +96,7 @@ fn a_closed_ball_is_a_geometric_series_from_inside() {
             let wall = room.material(pack(values));
             add(&mut room, &mesh, Vec3::ZERO, 1.0, wall);
             let mut rig = support::rig();
-            room.load(&mut rig);
+            room.load(&mut rig).unwrap();
             let at = TraceParams {
                 position: Vec3::new(0.2, -0.1, 0.15),
                 max_depth: 16,

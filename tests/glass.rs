@@ -17,7 +17,7 @@ fn glass(ni: f32) -> MaterialRecord {
 
 fn traced(room: &Room, params: &TraceParams) -> Vec<Vec3> {
     let mut rig = support::rig();
-    room.load(&mut rig);
+    room.load(&mut rig).unwrap();
     samples(&mut rig, params).iter().map(|sample| sample.rgb).collect()
 }
 
@@ -41,29 +41,6 @@ fn an_error_of_one_percent_is_seen() {
         ("lib/bsdf/ggx", "0.5 * density / reach_o", "0.505 * density / reach_o"),
     ];
     sees_mistakes(&room, &mistakes);
-}
-
-#[test]
-fn a_shell_of_index_one_is_invisible() {
-    // Walls that only glow: what is seen depends on nothing random but the place in the pixel.
-    let mut room = Room { environment: Vec3::new(0.5, 0.1, 0.9), ..Room::default() };
-    let walls: Vec<_> = (1..6).map(|i| Some(room.material(matte(Vec3::ZERO, Vec3::new(i as f32, 0.5, 1.0))))).collect();
-    room.walls([walls[0], walls[1], walls[2], walls[3], walls[4], None]);
-    let params = TraceParams { layers: 4, ..room.params(UVec2::splat(48)) };
-    let bare = traced(&room, &params);
-    for (ni, visible) in [(1.0, false), (1.001, true)] {
-        let mut room = room.clone();
-        let shell = room.material(glass(ni));
-        for radius in [0.8, 0.7] {
-            room.ball(Vec3::new(0.1, 0.0, -0.1), radius, shell);
-        }
-        let params = TraceParams { root: room.params(UVec2::ONE).root, ..params };
-        let got = traced(&room, &params);
-        let differ = got.iter().zip(&bare).filter(|(a, b)| (**a - **b).abs().max_element() > 1e-4 * b.max_element());
-        // Two rays of a thousand may pass another side of a wall's edge: their origins were moved.
-        let count = differ.count();
-        assert_eq!(count * 500 > got.len(), visible, "Ni {ni}: {count} of {} samples differ", got.len());
-    }
 }
 
 #[test]
@@ -125,7 +102,7 @@ fn roulette_spares_paths_inside_glass() {
     }
     let rays = |library: Library| {
         let mut rig = Runtime::new(support::gpu(), library);
-        room.load(&mut rig);
+        room.load(&mut rig).unwrap();
         let got = samples(&mut rig, &TraceParams { layers: 4, ..inside(&room, UVec2::splat(16), 24) });
         got.iter().filter(|sample| sample.info < 24).count()
     };
@@ -154,7 +131,7 @@ fn a_veil_lets_its_part_through() {
     let veil = room.material(material::pack(&values, Energy::Preserve));
     room.quad(Vec3::new(-9.0, -9.0, 0.0), Vec3::X * 18.0, Vec3::Y * 18.0, veil);
     let mean_of = |rig: &mut Runtime| {
-        room.load(rig);
+        room.load(rig).unwrap();
         let got = samples(rig, &TraceParams { layers: 64, ..room.params(UVec2::splat(64)) });
         got.iter().map(|sample| sample.rgb.as_dvec3()).sum::<DVec3>() / got.len() as f64
     };

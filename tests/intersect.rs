@@ -12,7 +12,7 @@ use lucerna::scene::generate::{SplitMix, spheres, terrain, to_mesh};
 
 use crate::support::trees::{
     self, Cut, build, concentric, coplanar, degenerate, direction, endless, flat_grid, point_in_cube, random_rays,
-    records, slivers, soup, sphere,
+    rays_at_edges, records, slivers, soup, sphere,
 };
 
 #[test]
@@ -75,21 +75,6 @@ fn slabs_of_a_box_enclose_those_of_every_box_inside() {
 
 /// Both ways of rounding that WGSL allows.
 const BOTH: [Fma; 2] = [Fma::Fused, Fma::Unfused];
-
-/// Rays from inside a closed mesh at points of its edges, and at its corners exactly.
-pub fn rays_at_edges(triangles: &[[Vec3; 3]], count: usize, seed: u64) -> Vec<Ray> {
-    let mut random = SplitMix(seed);
-    (0..count)
-        .map(|i| {
-            let corners = triangles[(random.next_u64() % triangles.len() as u64) as usize];
-            let k = (random.next_u64() % 3) as usize;
-            let (a, b) = (corners[k].as_dvec3(), corners[(k + 1) % 3].as_dvec3());
-            let target = if i % 2 == 0 { a } else { a.lerp(b, random.unit()) };
-            let origin = point_in_cube(&mut random, 0.4);
-            endless(origin, (target - origin.as_dvec3()).as_vec3())
-        })
-        .collect()
-}
 
 #[test]
 fn rays_at_edges_and_corners_of_closed_meshes_never_miss() {

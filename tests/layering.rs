@@ -78,10 +78,11 @@ fn modules_know_only_what_is_below_them() {
         "scene",
         "shader",
         "stats",
+        "stress",
         "systems",
         "watch",
     ];
-    let below: [(&str, &[&str]); 17] = [
+    let below: [(&str, &[&str]); 18] = [
         ("components", &[]),
         ("image", &["components", "files", "parallel"]),
         ("layout", &[]),
@@ -101,6 +102,24 @@ fn modules_know_only_what_is_below_them() {
             "engine",
             &["components", "cpu", "gpu", "layout", "parallel", "passes", "scene", "shader", "systems", "watch"],
         ),
+        // What judges goes through every door, and is judged by none: only the command line knows it.
+        (
+            "stress",
+            &[
+                "components",
+                "cpu",
+                "engine",
+                "gpu",
+                "layout",
+                "oracle",
+                "parallel",
+                "passes",
+                "prepare",
+                "scene",
+                "shader",
+                "stats",
+            ],
+        ),
         // All but the phases: those are the engine's.
         (
             "app",
@@ -119,6 +138,7 @@ fn modules_know_only_what_is_below_them() {
                 "scene",
                 "shader",
                 "stats",
+                "stress",
                 "watch",
             ],
         ),

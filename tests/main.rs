@@ -80,6 +80,7 @@ mod sky_size;
 mod sort;
 mod start;
 mod statistics;
+mod stress;
 mod sun;
 mod support;
 mod textures;

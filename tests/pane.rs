@@ -187,7 +187,7 @@ fn clear_panes_in_a_furnace_are_invisible() {
         room.ball(Vec3::new(0.2, -0.3, -0.5), 0.4, clear);
         room.quad(Vec3::new(-0.9, -0.9, -0.6), 1.8 * Vec3::X, 1.8 * Vec3::Y, clear);
         let mut rig = support::rig();
-        room.load(&mut rig);
+        room.load(&mut rig).unwrap();
         let got = samples(&mut rig, &TraceParams { layers: 4, ..inside(&room, UVec2::splat(24), 64) });
         let off = got.iter().filter(|sample| (sample.rgb / 3.0 - 1.0).abs().max_element() > 1e-5).count();
         assert!(off * 1000 < got.len(), "Ni {ni}: {off} of {} samples are off", got.len());
@@ -204,7 +204,7 @@ fn a_window_lets_through_what_it_should_and_bends_nothing() {
     let window = room.material(thin(1.5, filter));
     room.quad(Vec3::new(-9.0, -9.0, 0.0), 18.0 * Vec3::X, 18.0 * Vec3::Y, window);
     let mut rig = support::rig();
-    room.load(&mut rig);
+    room.load(&mut rig).unwrap();
     let mut params = TraceParams { layers: 64, ..room.params(UVec2::splat(32)) };
     (params.position, params.forward) = (Vec3::new(0.0, 0.0, 3.0), Vec3::NEG_Z);
     (params.right, params.up) = (0.01 * Vec3::X, 0.01 * Vec3::Y);

@@ -374,7 +374,7 @@ fn a_sky_that_is_not_turned_is_the_same_to_the_bit_as_without_turns() {
     let room = outdoors(true);
     let traced = |library: Library| {
         let mut rig = Runtime::new(support::gpu(), library);
-        room.load(&mut rig);
+        room.load(&mut rig).unwrap();
         let params = TraceParams { layers: 8, ..room.params(UVec2::splat(64)) };
         samples(&mut rig, &params).iter().map(|s| (s.rgb.to_array().map(f32::to_bits), s.info)).collect::<Vec<_>>()
     };

@@ -1,67 +1,8 @@
 //! The statistics by which estimators are held equal, and distributions held to their pdf.
 
-/// Batches behind each standard error.
-pub const BATCHES: usize = 32;
-
-/// Standard errors that a difference may reach. Student's t with 31 degrees of freedom is beyond 6.4 with a probability of
-/// 4e-7: a family of 250 comparisons fails falsely with 1e-4.
-const MOST_ERRORS: f64 = 6.4;
-
-/// Part of the mean by which rounding alone may move one of two estimators.
-const ROUNDING: f64 = 1e-5;
-
-/// Part of the mean above which a standard error proves nothing.
-const MOST_NOISE: f64 = 0.003;
-
-/// One estimate a batch by each of two estimators, for one block of pixels and one channel.
-pub struct Pairs {
-    pub differences: [f64; BATCHES],
-    /// Mean of the one that is right.
-    pub mean: f64,
-}
-
-/// Whether |difference| <= z * se + 1e-5 * mean, with se below 0.3 % of the mean; what is wrong if not.
-pub fn agree(pairs: &Pairs) -> Result<(), String> {
-    let n = BATCHES as f64;
-    let difference = pairs.differences.iter().sum::<f64>() / n;
-    let squares = pairs.differences.iter().map(|d| (d - difference).powi(2)).sum::<f64>();
-    let error = (squares / (n - 1.0) / n).sqrt();
-    if error > MOST_NOISE * pairs.mean {
-        return Err(format!("the standard error {error:e} is too large for a mean of {:e}", pairs.mean));
-    }
-    let allowed = MOST_ERRORS * error + ROUNDING * pairs.mean;
-    match difference.abs() <= allowed {
-        true => Ok(()),
-        false => Err(format!("differ by {difference:e}, allowed {allowed:e}, mean {:e}", pairs.mean)),
-    }
-}
-
-/// How many standard deviations chi-square lies above what its degrees of freedom let expect, by Wilson and Hilferty's
-/// transformation to a normal variable (1931), whose tail is good to a few percent from 30 degrees on.
-///
-/// Cells of fewer than 20 expected draws are joined. `expected` need not sum to the number of draws: a pdf that does not
-/// integrate to 1 is wrong too.
-pub fn chi_square_z(observed: &[u64], expected: &[f64]) -> f64 {
-    let (mut statistic, mut cells) = (0.0, 0.0);
-    let (mut seen, mut awaited) = (0.0, 0.0);
-    for (&o, &e) in observed.iter().zip(expected) {
-        (seen, awaited) = (seen + o as f64, awaited + e);
-        if awaited >= 20.0 {
-            statistic += (seen - awaited) * (seen - awaited) / awaited;
-            cells += 1.0;
-            (seen, awaited) = (0.0, 0.0);
-        }
-    }
-    // Draws where hardly any are expected count against the pdf.
-    statistic += (seen - awaited).powi(2) / awaited.max(1.0);
-    let degrees: f64 = cells - 1.0;
-    assert!(degrees >= 30.0, "too few cells");
-    let spread = 2.0 / (9.0 * degrees);
-    ((statistic / degrees).cbrt() - (1.0 - spread)) / spread.sqrt()
-}
-
-/// One-sided p = 1e-4 / 40: the chi-square tests of this crate are fewer than 40.
-pub const CHI_SQUARE_LIMIT: f64 = 4.56;
+use lucerna::stats::agreement::{Agreement, greatest};
+pub use lucerna::stats::agreement::{BATCHES, Pairs, agree};
+pub use lucerna::stats::chi_square::{CHI_SQUARE_LIMIT, chi_square_z};
 
 #[test]
 fn planted_differences_are_seen() {
@@ -70,4 +11,16 @@ fn planted_differences_are_seen() {
     agree(&shifted(0.0)).unwrap();
     assert!(agree(&shifted(0.01)).is_err());
     assert!(agree(&Pairs { differences: shifted(0.0).differences, mean: 0.01 }).is_err());
+}
+
+#[test]
+fn what_is_no_number_agrees_with_nothing() {
+    let of = |value: f64| Pairs { differences: [value; BATCHES], mean: 1.0 }.agreement();
+    assert_eq!(of(0.0), Agreement { mean: 1.0, ..Agreement::PERFECT });
+    assert!(of(f64::NAN).check().is_err() && of(0.01).check().is_err());
+    assert!(of(0.0).worst(of(f64::NAN)).errors.is_nan() && of(f64::NAN).worst(of(0.0)).errors.is_nan());
+    // That of 0 / 0 has a sign of its own.
+    assert!(of(0.01).worst(of(-f64::NAN)).errors.is_nan() && of(-f64::NAN).worst(of(0.01)).errors.is_nan());
+    assert!(Agreement::PERFECT.worst(of(0.01)).errors > 1e6);
+    assert!(greatest([1.0, -f64::NAN, 2.0]).is_nan() && greatest([1.0, 3.0, 2.0]) == 3.0);
 }

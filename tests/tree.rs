@@ -11,23 +11,10 @@ use lucerna::passes::tree::{PLAN, lbvh};
 use lucerna::passes::{Binding, Pass, Recording, Size};
 use lucerna::scene::generate::SplitMix;
 use lucerna::shader::Library;
+use lucerna::stress::tools::forest::{download, spoil};
 
-use crate::morton::{SIZES, cloud, clustered, point, rig_for, scenes, triangle};
+use crate::morton::{SIZES, cloud, clustered, point, rig_for, triangle};
 use crate::support;
-
-/// Junk before every build: what no pass writes is seen.
-fn spoil(recording: &mut Recording, n: u32) {
-    let words = |size: usize| n * size as u32 / 4;
-    lucerna::passes::clear(recording, "nodes", 0x7fff_fffe, words(size_of::<Node>()));
-    lucerna::passes::clear(recording, "leaves", 0x7fff_fffe, words(size_of::<Triangle>()));
-}
-
-fn download(rig: &Runtime, n: u32) -> Tree {
-    Tree {
-        leaves: rig.read_some("leaves", n as usize).unwrap(),
-        nodes: rig.read_some("nodes", node_count(n) as usize).unwrap(),
-    }
-}
 
 /// Builds on the GPU, judges the tree, and compares it with the CPU's.
 fn check(rig: &mut Runtime, what: &str, triangles: &[Triangle]) -> TreeMeasure {
@@ -37,7 +24,7 @@ fn check(rig: &mut Runtime, what: &str, triangles: &[Triangle]) -> TreeMeasure {
     spoil(&mut recording, n);
     lbvh::record(&mut recording, n, morton::core_of(triangles));
     rig.play(&recording).unwrap();
-    let found = download(rig, n);
+    let found = download(rig, n).unwrap();
     assert_same(&found, &tree::build(triangles), what);
     if n <= MOST_PYRAMID {
         check_pyramid(rig, what, &found.leaves);
@@ -78,82 +65,10 @@ fn trees_of_every_size_equal_the_cpu() {
 }
 
 #[test]
-fn trees_of_every_scene_equal_the_cpu() {
-    let mut rig = rig_for(4097);
-    for n in [3, 513, 4097] {
-        for (what, triangles) in scenes(n) {
-            check(&mut rig, what, &triangles);
-        }
-    }
-}
-
-#[test]
-fn trees_around_a_million_equal_the_cpu() {
-    let mut rig = rig_for((1 << 20) + 1);
-    for n in [(1 << 20) - 1, (1 << 20) + 1] {
-        check(&mut rig, "random", &cloud(n, 0.001, |_, random| point(random)));
-    }
-}
-
-#[test]
-fn a_million_equal_centroids_make_a_balanced_tree() {
-    let n = 1 << 20;
-    let found = check(&mut rig_for(n), "all equal", &cloud(n, 0.0, |_, _| Vec3::ONE));
-    assert_eq!(found.depth, 20);
-}
-
-#[test]
 fn clustered_centroids_make_a_deep_tree() {
     let found = check(&mut rig_for(100_000), "clustered", &clustered(100_000));
     // 63 bits of the code, 17 of the index.
     assert!((30..=80).contains(&found.depth), "{}", found.depth);
-}
-
-/// Sorts and links given codes, whatever the triangles.
-fn check_codes(rig: &mut Runtime, what: &str, codes: &[u64]) {
-    let n = codes.len() as u32;
-    let triangles = cloud(n, 0.1, |_, random| point(random));
-    let mut order: Vec<u32> = (0..n).collect();
-    rig.upload("triangles", &triangles).unwrap();
-    rig.upload("keys", codes).unwrap();
-    rig.upload("payload", &order).unwrap();
-    let mut recording = Recording::default();
-    spoil(&mut recording, n);
-    lbvh::record_tree(&mut recording, n);
-    rig.play(&recording).unwrap();
-
-    order.sort_by_key(|&i| codes[i as usize]);
-    let sorted: Vec<u64> = order.iter().map(|&i| codes[i as usize]).collect();
-    let leaves = tree::leaves(&triangles, &order);
-    let expected = Tree { nodes: tree::nodes(&sorted, &leaves), leaves };
-    let found = download(rig, n);
-    assert_same(&found, &expected, what);
-    measure(&found.leaves, &found.nodes).unwrap_or_else(|fault| panic!("{what}: {fault}"));
-}
-
-#[test]
-fn runs_of_equal_codes_are_split_at_every_bit() {
-    let mut rig = rig_for(700);
-    for bit in 0..64 {
-        // Three runs of equal codes, in turn: two differ in this bit, the third in the lowest too.
-        let codes: Vec<u64> = (0..257).map(|i| [0, 1 << bit, 1 << bit | 1][i % 3]).collect();
-        check_codes(&mut rig, &format!("bit {bit}"), &codes);
-    }
-    for bit in [0, 31, 32, 63] {
-        // Two runs, already sorted, that split at any place.
-        let codes: Vec<u64> = (0..700).map(|i| u64::from(i > 10 * bit) << bit).collect();
-        check_codes(&mut rig, &format!("bit {bit}, in order"), &codes);
-    }
-}
-
-#[test]
-fn codes_of_one_bit_each_make_the_deepest_tree() {
-    let mut rig = rig_for(700);
-    let mut codes: Vec<u64> = (0..63).map(|bit| 1 << bit).collect();
-    codes.extend([0; 200]);
-    check_codes(&mut rig, "one bit each", &codes);
-    codes.reverse();
-    check_codes(&mut rig, "one bit each, reversed", &codes);
 }
 
 #[test]
@@ -288,7 +203,7 @@ fn build_again_and_again(what: &str, triangles: &[Triangle], builds: u32) {
     }
     rig.reserve("differences", 4).unwrap();
     let found = check(&mut rig, what, triangles);
-    let tree = download(&rig, n);
+    let tree = download(&rig, n).unwrap();
     rig.upload("expected_nodes", &tree.nodes).unwrap();
     rig.upload("expected_leaves", &tree.leaves).unwrap();
     for round in 0..builds {

@@ -16,11 +16,11 @@ use lucerna::layout::tree::{Triangle, node_count};
 use lucerna::layout::view::ViewMode;
 use lucerna::scene;
 use lucerna::shader::Library;
+use lucerna::stress::tools::tracer::device_fma;
 use lucerna::systems::present::view_params;
 use lucerna::systems::resources::{Device, SceneGeometry, Shot, texture_set};
 
 use crate::support;
-use crate::support::tracer::device_fma;
 use crate::textures::garden::Garden;
 
 const STEP: Duration = Duration::from_millis(100);
@@ -54,7 +54,7 @@ fn finish(engine: &mut Engine) {
 
 /// The picture that the twin makes of what the device holds, seen from its camera turned by `nudge`, parts of the film's half sides.
 fn twin(world: &World, mode: ViewMode, nudge: Vec2) -> Vec<u32> {
-    let fma = device_fma();
+    let fma = device_fma(&support::lab()).unwrap();
     let (geometry, shot) = (world.resource::<SceneGeometry>(), world.resource::<Shot>());
     let device = &world.resource::<Device>().0;
     let materials = world.resource::<GpuTable<MaterialRecord>>().rows();

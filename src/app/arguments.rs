@@ -15,6 +15,7 @@ use super::render::RenderArguments;
 use super::replay::ReplayArguments;
 use super::schema::SchemaArguments;
 use super::shared::values::MORE;
+use super::stress::StressArguments;
 use super::variants::VariantsArguments;
 use super::watch::WatchArguments;
 use super::window::ViewArguments;
@@ -64,6 +65,8 @@ pub enum Command {
     Bench(Box<BenchArguments>),
     /// Tell whether an edit of the shaders made the estimator better, worse or wrong
     Judge(Box<JudgeArguments>),
+    /// Measure what must hold of the numbers: watertight meshes, known answers, estimators that agree
+    Stress(StressArguments),
     /// List what was saved while windows were open, or write the shaders of an edit to a folder
     Edits(EditsArguments),
 }

@@ -17,6 +17,7 @@ mod render;
 pub mod replay;
 mod schema;
 pub mod shared;
+mod stress;
 pub mod variants;
 mod watch;
 pub mod window;
@@ -70,6 +71,7 @@ pub fn main() -> ExitCode {
         Command::Doctor => doctor::run(),
         Command::Bench(bench) => bench.run(),
         Command::Judge(judge) => judge::run(&judge),
+        Command::Stress(stress) => stress::run(&stress),
         Command::Edits(edits) => edits::run(&edits),
         Command::Export(export) => export::run(&export),
     };

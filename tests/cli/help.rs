@@ -12,9 +12,10 @@ fn printed(arguments: &[&str]) -> String {
 
 #[test]
 fn a_flag_prints_a_line_for_each_argument() {
-    for command in
-        ["render", "view", "watch", "variants", "animate", "judge", "edits", "check", "new", "compare", "bench"]
-    {
+    for command in [
+        "render", "view", "watch", "variants", "animate", "judge", "edits", "check", "new", "compare", "bench",
+        "stress",
+    ] {
         let (short, long) = (printed(&[command, "--help"]), printed(&["help", command]));
         assert_eq!(short, printed(&[command, "-h"]), "{command}");
         assert!(short.lines().count() <= long.lines().count(), "{command}");

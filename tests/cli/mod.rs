@@ -15,6 +15,7 @@ mod replay;
 mod shaders;
 #[cfg(unix)]
 mod signals;
+mod stress;
 
 use std::path::Path;
 use std::process::{Command, Output, Stdio};

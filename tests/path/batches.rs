@@ -15,7 +15,7 @@ use super::samples;
 fn samples_do_not_depend_on_batch_or_crop() {
     let room = Room { roulette: true, ..Room::cornell() };
     let mut rig = support::rig();
-    room.load(&mut rig);
+    room.load(&mut rig).unwrap();
     let params = TraceParams { layers: 6, ..room.params(UVec2::new(21, 13)) };
     let whole = samples(&mut rig, &params);
     let pixels = (params.window_width * params.window_height) as usize;

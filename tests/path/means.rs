@@ -31,12 +31,12 @@ fn asking_lights_changes_no_mean() {
     // 330,000 paths: the standard error stays below 0.3 %.
     let params = TraceParams { layers: 160, ..room.params(UVec2::splat(8)) };
     let mut found = support::rig();
-    room.load(&mut found);
+    room.load(&mut found).unwrap();
     let asking = Room { next_event: true, ..plain_room() };
     let asking_params = TraceParams { layers: 160, ..asking.params(UVec2::splat(8)) };
     let mut agree = |library: Library| {
         let mut asked = Runtime::new(support::gpu(), library);
-        asking.load(&mut asked);
+        asking.load(&mut asked).unwrap();
         compare(
             |i| gpu_sums(&mut asked, &TraceParams { seed: 2, ..batch(&asking_params, i) }),
             |i| gpu_sums(&mut found, &batch(&params, i)),
@@ -54,10 +54,10 @@ fn samplers_agree() {
     let room = Room { roulette: true, next_event: true, ..plain_room() };
     let params = TraceParams { layers: 160, ..room.params(UVec2::splat(8)) };
     let mut pcg = support::rig();
-    room.load(&mut pcg);
+    room.load(&mut pcg).unwrap();
     let mut sobol = support::rig();
     let room = Room { sampler: Source::Sobol, ..room };
-    room.load(&mut sobol);
+    room.load(&mut sobol).unwrap();
     compare(
         |i| gpu_sums(&mut sobol, &batch(&params, i)),
         |i| gpu_sums(&mut pcg, &TraceParams { seed: 2, ..batch(&params, i) }),
@@ -74,10 +74,10 @@ fn roulette_changes_no_mean() {
     // 16 x 16 pixels, 16 samples a batch, so 32,768 paths a block: the standard error stays below 0.3 %.
     let params = TraceParams { layers: 16, max_depth: 16, ..room.params(UVec2::splat(16)) };
     let mut rig = support::rig();
-    room.load(&mut rig);
+    room.load(&mut rig).unwrap();
     let mut with = support::rig();
     let room = Room { roulette: true, ..room };
-    room.load(&mut with);
+    room.load(&mut with).unwrap();
     let (mut fewer, mut all) = (0, 0);
     compare(
         |i| {

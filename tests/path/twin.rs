@@ -60,7 +60,7 @@ fn a_single_material_needs_no_other_features() {
 fn rays_are_counted_as_the_twin_counts_them() {
     let room = Room { roulette: true, ..Room::cornell() };
     let mut rig = support::rig();
-    room.load(&mut rig);
+    room.load(&mut rig).unwrap();
     // Deep enough to show lavapipe's limit of loop iterations, were it ever crossed.
     let params = TraceParams { max_depth: 1024, layers: 4, ..room.params(UVec2::splat(24)) };
     let rays: u64 = gpu_sums(&mut rig, &params).iter().map(|s| s.1).sum();
@@ -76,7 +76,7 @@ fn rays_are_counted_as_the_twin_counts_them() {
     assert!(rays.abs_diff(right) <= right / 500, "{rays} rays, the twin {right}");
 
     let white = furnace(1.0, 1.0);
-    white.load(&mut rig);
+    white.load(&mut rig).unwrap();
     let params = inside(&white, UVec2::splat(8), 1024);
     assert!(samples(&mut rig, &params).iter().all(|s| s.info == 1024), "a path of 1,024 segments was cut short");
 }

@@ -2,7 +2,6 @@
 
 mod alpha;
 mod board;
-mod furnace;
 mod fuzz;
 pub mod garden;
 mod horizon;

@@ -24,8 +24,10 @@ pub enum Exit {
     Differs,
     /// Judged shaders have another mean.
     MeansDiffer,
-    /// Judged shaders may have another mean, or the same.
+    /// Judged shaders may have another mean, or the same; or a measurement here proves nothing.
     CannotTell,
+    /// What must hold of the numbers does not.
+    Unstable,
     /// Shaders that don't link or compile.
     BrokenShaders,
     /// To `git bisect run`: the means of this commit differ.
@@ -49,6 +51,7 @@ impl Exit {
             Exit::Differs => 4,
             Exit::MeansDiffer => 5,
             Exit::CannotTell => 6,
+            Exit::Unstable => 7,
             Exit::Skipped => 125,
             Exit::Abandoned => 128,
             Exit::Interrupted => 130,

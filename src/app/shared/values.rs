@@ -19,7 +19,8 @@ Exit codes:
   3    no graphics adapter that can be used: see `lucerna doctor`
   4    compared pictures differ by more than a --max flag allows
   5    judged shaders have another mean
-  6    whether they have can't be told yet
+  6    whether they have can't be told yet, or (`stress`) a row proves nothing here
+  7    `stress`: a row does not hold, or no row sees a planted mistake
   125  `judge --bisect`: this commit can't be told, and is skipped (1 is one whose means differ)
   128  `judge --bisect`: no commit can be judged, and the search ends
   130  interrupted; what there was, if anything, has been written";
