@@ -60,7 +60,7 @@ fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
             let mut engine = lab.engine(&with(Render { spp: SPP, sampler, reuse, ..description.render }))?;
             for seed in 0..FILMS {
                 let film = film_of_seed(&mut engine, seed)?;
-                let ratio = film.relative_error / relative_mse(&film.rgb, &right.rgb);
+                let ratio = film.error.relmse / relative_mse(&film.rgb, &right.rgb);
                 let note = format!("{name}, {sampler:?}, reuse {reuse:?}, {SPP} spp: {ratio:.2} of the true one");
                 all = all.worst(Measured::new((ratio / 1.4).max(0.7 / ratio), u64::from(SPP) * pixels).noted(note));
             }
