@@ -8,7 +8,7 @@ pub const WIDTH: usize = 9;
 /// A number in at most nine characters: six digits or so.
 pub fn number(x: f64) -> String {
     let size = x.abs();
-    let text = match () {
+    match () {
         () if x.is_nan() => "NaN".to_owned(),
         () if x.is_infinite() => if x > 0.0 { "inf" } else { "-inf" }.to_owned(),
         () if size == 0.0 => "0".to_owned(),
@@ -17,8 +17,7 @@ pub fn number(x: f64) -> String {
             let digits = 6 - (size.log10().floor() as i32).max(0);
             format!("{x:.*}", digits.max(0) as usize)
         }
-    };
-    text
+    }
 }
 
 /// Some of them, in a column of three.

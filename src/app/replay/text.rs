@@ -111,7 +111,7 @@ fn block(told: &Told, i: usize, turn: &Turn) -> String {
     let compared = comparison.turns.get(i);
     let mut text = format!("{}: {}\n", names::ray(turn), seen(told, turn));
     if i == 0 {
-        let _ = writeln!(text, "  {:<21}{:<30}{:<30}{}", "", "GPU", "twin", "differ, rounding");
+        let _ = writeln!(text, "  {:<21}{:<30}{:<30}differ, rounding", "", "GPU", "twin");
     }
     // Beyond the parting the twin's ray of that number is another.
     let right = replay.verdict.twin.get(i).filter(|_| i <= parted);
