@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use glam::DVec3;
 use lucerna::components::MeshData;
 use lucerna::scene::{Diagnostics, NamedMeshes, read_obj_by};
 
@@ -74,6 +75,16 @@ fn all_models_are_the_same_in_pieces() {
     }
 }
 
+/// Triangles without area, but for rounding.
+fn flat_triangles(mesh: &tobj::Mesh) -> usize {
+    let corner = |index: u32| DVec3::from_slice(&mesh.positions[3 * index as usize..]);
+    let is_flat = |corners: &&[u32]| {
+        let [a, b, c] = [0, 1, 2].map(|k| corner(corners[k]));
+        (b - a).cross(c - a).length() <= 1e-12 * (b - a).length() * (c - a).length()
+    };
+    mesh.indices.chunks_exact(3).filter(is_flat).count()
+}
+
 #[test]
 fn all_models_are_what_tobj_makes_of_them() {
     let mut found = Vec::new();
@@ -94,7 +105,9 @@ fn all_models_are_what_tobj_makes_of_them() {
             let corner = |index: &u32| mesh.positions[*index as usize].to_array().map(f64::to_bits);
             ours.extend(mesh.triangles.iter().flatten().map(corner));
         }
-        assert_eq!(ours.len(), want.len(), "{what}");
+        // Of a polygon with a corner on the line between its neighbours, cutting ears may leave out a triangle without area.
+        let flat = models.iter().map(|model| flat_triangles(&model.mesh)).sum::<usize>();
+        assert!((want.len() - 3 * flat..=want.len()).contains(&ours.len()), "{what}: {} of {}", ours.len(), want.len());
         let corners = |list: &[[u64; 3]]| list.iter().copied().collect::<std::collections::BTreeSet<_>>();
         assert!(corners(&ours) == corners(&want), "{what}");
     }

@@ -13,8 +13,8 @@ use lucerna::stats::metrics::relative_mse;
 
 use crate::support;
 
-/// Features of the device, not of scenes.
-const OF_DEVICE: [&str; 2] = ["ballots", "software"];
+/// Features of the device, or of a replay, not of scenes.
+const OF_OTHERS: [&str; 3] = ["ballots", "record", "software"];
 
 #[test]
 fn the_list_has_every_feature_of_the_trace_kernels() {
@@ -22,7 +22,7 @@ fn the_list_has_every_feature_of_the_trace_kernels() {
     let all = library.features().unwrap();
     let named: BTreeSet<String> =
         [&PATH, &GATHER].into_iter().flat_map(|pass| library.link(pass.module, &all).unwrap().features).collect();
-    let of_scenes: Vec<&str> = named.iter().map(String::as_str).filter(|name| !OF_DEVICE.contains(name)).collect();
+    let of_scenes: Vec<&str> = named.iter().map(String::as_str).filter(|name| !OF_OTHERS.contains(name)).collect();
     assert_eq!(of_scenes, FEATURES.map(|feature| feature.name));
 }
 

@@ -84,7 +84,11 @@ impl Person {
     /// Opens the Cornell box in a window of some size, with so many samples a pixel, or as many as there is time for.
     pub fn sized(size: &str, spp: Option<&str>) -> Self {
         let spp: Vec<&str> = spp.into_iter().flat_map(|spp| ["--spp", spp]).collect();
-        Self::open(tempfile::tempdir().unwrap(), "cornell-box", &[&["--no-panel", "--size", size], &*spp].concat())
+        Self::open(
+            tempfile::tempdir().unwrap(),
+            "cornell-box",
+            &[&["--no-panel", "--size", size, "--reuse", "off"], &*spp].concat(),
+        )
     }
 
     /// Opens the Cornell box of that size with the panel beside it.

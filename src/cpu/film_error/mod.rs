@@ -5,6 +5,7 @@
 //! What is left to know is by what a pixel's error is relative (`radiance`), and how far the sum of e0 e1 may be from 0 (`spread`).
 
 mod around;
+mod halves;
 mod radiance;
 mod spread;
 
@@ -12,10 +13,10 @@ use std::ops::Range;
 
 use glam::UVec2;
 
-use super::film::half_mean;
 use crate::layout::film::FilmPixel;
 use crate::parallel;
 use crate::stats::summary::upper_quantile;
+use halves::Halves;
 use radiance::shares;
 use spread::{BLOCK, Spread};
 
@@ -60,35 +61,6 @@ pub fn film_error(film: &[FilmPixel], place: Place, exponent: i32) -> FilmError 
     };
     let pieces = parallel::map((before + height).div_ceil(ROWS), piece);
     pieces.into_iter().fold(Sums::default(), Sums::and).error()
-}
-
-/// A pixel's two means.
-#[derive(Clone, Copy, Debug, Default)]
-struct Halves {
-    means: [[f64; 3]; 2],
-    /// Square root of what the means' squared difference is multiplied by to be the variance of their mean: 1/2 for halves of as many
-    /// samples. 0 where one has none, and the pixel says nothing.
-    share: f64,
-}
-
-impl Halves {
-    fn of(pixel: &FilmPixel, exponent: i32) -> Self {
-        let [(h0, c0), (h1, c1)] = pixel.halves.each_ref().map(|half| half_mean(half, exponent));
-        if c0 == 0 || c1 == 0 {
-            return Self::default();
-        }
-        let (c0, c1) = (f64::from(c0), f64::from(c1));
-        Self { means: [h0, h1], share: (c0 * c1).sqrt() / (c0 + c1) }
-    }
-
-    fn is_there(&self) -> bool {
-        self.share > 0.0
-    }
-
-    /// The error that a channel's mean shows, with the sign of the first half's.
-    fn error(&self, channel: usize) -> f64 {
-        self.share * (self.means[0][channel] - self.means[1][channel])
-    }
 }
 
 /// Of some rows, or of the whole film.

@@ -6,8 +6,8 @@
 
 use std::ops::Range;
 
-use super::Halves;
 use super::around::sums;
+use super::halves::Halves;
 use crate::stats::metrics::DARK;
 
 /// Pixels on every side that are around one.

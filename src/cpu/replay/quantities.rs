@@ -101,6 +101,27 @@ fn segment(turn: &Turn) -> Option<&Turn> {
     (turn.kind == RayKind::Segment).then_some(turn)
 }
 
+/// Whether a ray's light changes the pixel by more than a rounding. Where a path lends, what it keeps is the difference of two numbers,
+/// and of two that are nearly one only rounding is left.
+fn is_felt(turn: &Turn) -> bool {
+    let beside = match turn.kind {
+        RayKind::Segment => turn.lent.max_element(),
+        RayKind::Shadow => turn.radiance.max_element().max(LEAST_RADIANCE),
+    };
+    turn.throughput.max_element() > UNFELT * beside
+}
+
+/// A number of the pixel's, or 0 if the ray's light is not felt.
+fn felt(turn: &Turn, number: DVec3) -> DVec3 {
+    if is_felt(turn) { number } else { DVec3::ZERO }
+}
+
+/// Some roundings, as part of what they are roundings of.
+const UNFELT: f64 = 1.0 / 1_048_576.0;
+
+/// Radiance that nobody sees.
+const LEAST_RADIANCE: f64 = 1e-3;
+
 use Measure::{Absolute, Exact, Length, Relative, Weights};
 
 /// All of it.
@@ -108,16 +129,18 @@ pub static STEPS: &[Step] = &[
     choice("kind of ray", |turn| Some(u64::from(turn.kind == RayKind::Shadow))),
     number("origin", Length, |turn| Some(turn.origin.into())),
     number("direction", Absolute, |turn| Some(turn.direction.into())),
-    number("throughput", Relative, |turn| Some(turn.throughput.into())),
+    number("throughput", Relative, |turn| Some(felt(turn, turn.throughput).into())),
     number("lent throughput", Relative, |turn| segment(turn).map(|turn| turn.lent.into())),
     number("pdf", Relative, |turn| segment(turn).map(|turn| turn.pdf.into())),
     choice("triangle", |turn| segment(turn)?.met.map(|met| met.triangle.into())),
-    choice("light is seen", |turn| (turn.kind == RayKind::Shadow).then_some(u64::from(turn.is_seen()))),
+    choice("light is seen", |turn| {
+        (turn.kind == RayKind::Shadow && is_felt(turn)).then_some(u64::from(turn.is_seen()))
+    }),
     number("t", Length, |turn| segment(turn)?.met.map(|met| met.t.into())),
     number("weights", Weights, |turn| segment(turn)?.met.map(|met| met.b.into())),
     number("emitted", Relative, |turn| segment(turn).map(|turn| turn.emitted.into())),
     number("pdf of light sampling", Relative, |turn| segment(turn).map(|turn| turn.found_pdf.into())),
-    number("added", Relative, |turn| Some(turn.added.into())),
+    number("added", Relative, |turn| Some(felt(turn, turn.added).into())),
     choice("is shaded", |turn| Some(u64::from(turn.surface.is_some()))),
     choice("back face", |turn| turn.surface.map(|surface| surface.back_face.into())),
     number("position", Length, |turn| turn.surface.map(|surface| surface.position.into())),
