@@ -45,7 +45,7 @@ pub struct SkipArguments {
     pub quiet: bool,
 }
 
-/// Measures all scenes, and prints a table.
+/// Measures all scenes, and prints a table; after a signal, of those that were finished before it.
 pub fn run(arguments: &SkipArguments) -> Result<Exit, Failure> {
     let interrupt = Interrupt::listen(Exit::Interrupted);
     let library = Library::shipped();
@@ -67,12 +67,13 @@ pub fn run(arguments: &SkipArguments) -> Result<Exit, Failure> {
         tracer.show_compiling(&monitor.meter);
         match measure(&mut tracer, &scene.name, pixels(scene), &mut monitor)? {
             Some(case) => cases.push(case),
-            None => return Ok(Exit::Interrupted),
+            None => break,
         }
     }
     monitor.meter.finish();
+    monitor.interrupt.hold();
     BenchReport { bench: "skip", adapter: gpu.name(), runs: RUNS - 1, cases }.print(arguments.json)?;
-    Ok(Exit::Done)
+    Ok(if monitor.interrupt.requested() { Exit::Interrupted } else { Exit::Done })
 }
 
 /// Films of both kinds by turns; none after a signal.

@@ -27,7 +27,6 @@ pub fn run(arguments: &StressArguments) -> Result<Exit, Failure> {
         return Ok(Exit::Done);
     }
     let rows = wanted(&arguments.only)?;
-    // What is not JSON is shown row by row: nothing is left to be saved.
     Interrupt::listen(Exit::Interrupted);
     let library = match &arguments.shaders {
         Some(folder) => Library::open(folder)?,
@@ -59,6 +58,8 @@ pub fn run(arguments: &StressArguments) -> Result<Exit, Failure> {
             output::print(&report::line(&outcome))?;
         }
         outcomes.push(outcome);
+        // Rows take minutes: what is known is kept, whatever ends the process.
+        save(arguments, &report::json(&head, &outcomes))?;
     }
     let json = report::json(&head, &outcomes);
     finish(arguments, &json, &report::end(&head, &outcomes))?;
@@ -94,12 +95,19 @@ fn plant(
     Ok(if unseen { Exit::Unstable } else { Exit::Done })
 }
 
-/// Prints what comes last, and writes the file.
+/// Prints what comes last, and writes the whole file.
 fn finish(arguments: &StressArguments, json: &serde_json::Value, text: &str) -> Result<(), Failure> {
-    let json = format!("{json:#}\n");
-    output::print(if arguments.json { &json } else { text })?;
+    match arguments.json {
+        true => output::print(&format!("{json:#}\n"))?,
+        false => output::print(text)?,
+    }
+    save(arguments, json)
+}
+
+/// Writes the file, if one is wanted.
+fn save(arguments: &StressArguments, json: &serde_json::Value) -> Result<(), Failure> {
     match &arguments.output {
-        Some(path) => file::write_text(path, &json).map_err(Failure::from),
+        Some(path) => file::write_text(path, &format!("{json:#}\n")).map_err(Failure::from),
         None => Ok(()),
     }
 }
