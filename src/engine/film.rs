@@ -3,7 +3,6 @@
 use bevy_ecs::prelude::*;
 use glam::UVec2;
 
-use super::Engine;
 use crate::components::Crop;
 use crate::cpu::display;
 use crate::cpu::film::{film_mean, half_mean, pixel_mean};
@@ -40,30 +39,8 @@ pub struct FilmImage {
     pub error: FilmError,
 }
 
-impl Engine {
-    /// Reads the film back, with its picture.
-    pub fn film(&mut self) -> Result<FilmImage, EngineError> {
-        read_film(&mut self.world)
-    }
-
-    /// The film's estimated relMSE, of which nothing else is read; 0 where no pixel has two samples.
-    pub fn film_error(&self) -> Result<FilmError, EngineError> {
-        read_error(&self.world)
-    }
-
-    /// Reads back what is shown of the film's window, sRGB, row by row from the top; none before anything is.
-    pub fn picture(&self) -> Result<Option<Vec<[u8; 4]>>, EngineError> {
-        read_picture(&self.world)
-    }
-
-    /// Reads the mean radiance of the film's window back, row by row from the top: sooner done than the whole film.
-    pub fn radiance(&mut self) -> Result<Vec<[f32; 3]>, EngineError> {
-        read_radiance(&self.world)
-    }
-}
-
 /// Reads back what is shown of the film's window, sRGB; none before anything is.
-fn read_picture(world: &World) -> Result<Option<Vec<[u8; 4]>>, EngineError> {
+pub fn read_picture(world: &World) -> Result<Option<Vec<[u8; 4]>>, EngineError> {
     if progress(world).shown.is_none() {
         return Ok(None);
     }
@@ -73,7 +50,7 @@ fn read_picture(world: &World) -> Result<Option<Vec<[u8; 4]>>, EngineError> {
 }
 
 /// Reads the film back; shows it first, if its picture is an older one or not what is viewed.
-fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
+pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
     let before = progress(world);
     let (shot, look) = (world.resource::<Shot>(), world.resource::<Displayed>().0);
     let (shot, exponent) = (shot.params, shot.exponent);
@@ -133,7 +110,7 @@ fn of_each(pixels: &[FilmPixel], colour: impl Fn(&FilmPixel) -> [f64; 3] + Sync)
 }
 
 /// The film's estimated relMSE; 0 where no pixel has two samples. Sooner known than the whole film is read.
-fn read_error(world: &World) -> Result<FilmError, EngineError> {
+pub fn read_error(world: &World) -> Result<FilmError, EngineError> {
     let shot = world.resource::<Shot>();
     let (size, exponent) = (shot.size(), shot.exponent);
     match (size.min_element(), progress(world).begun) {
@@ -164,7 +141,7 @@ pub fn picture_error(world: &World) -> Result<f64, EngineError> {
 }
 
 /// Reads the film's mean radiance alone; black where nothing was traced.
-fn read_radiance(world: &World) -> Result<Vec<[f32; 3]>, EngineError> {
+pub fn read_radiance(world: &World) -> Result<Vec<[f32; 3]>, EngineError> {
     let shot = world.resource::<Shot>();
     let (count, exponent) = ((shot.size().x * shot.size().y) as usize, shot.exponent);
     match (count, progress(world).begun) {

@@ -4,6 +4,7 @@ mod debug;
 mod film;
 mod inspect;
 mod mesh;
+mod read;
 mod replay;
 mod report;
 

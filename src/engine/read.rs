@@ -1,0 +1,26 @@
+//! What an engine has made, read back: the film, and what is shown of it.
+
+use super::film::{self, FilmImage};
+use super::{Engine, EngineError, FilmError};
+
+impl Engine {
+    /// Reads the film back, with its picture.
+    pub fn film(&mut self) -> Result<FilmImage, EngineError> {
+        film::read_film(&mut self.world)
+    }
+
+    /// The film's estimated relMSE, of which nothing else is read; 0 where no pixel has two samples.
+    pub fn film_error(&self) -> Result<FilmError, EngineError> {
+        film::read_error(&self.world)
+    }
+
+    /// Reads back what is shown of the film's window, sRGB, row by row from the top; none before anything is.
+    pub fn picture(&self) -> Result<Option<Vec<[u8; 4]>>, EngineError> {
+        film::read_picture(&self.world)
+    }
+
+    /// Reads the mean radiance of the film's window back, row by row from the top: sooner done than the whole film.
+    pub fn radiance(&mut self) -> Result<Vec<[f32; 3]>, EngineError> {
+        film::read_radiance(&self.world)
+    }
+}
