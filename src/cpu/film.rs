@@ -121,16 +121,37 @@ const PIECE: usize = 1 << 14;
 
 /// Mean over all pixels that have samples; black if none has.
 pub fn film_mean(film: &[FilmPixel], exponent: i32) -> [f64; 3] {
+    film_sum(film, exponent).mean()
+}
+
+/// Pixels that have samples: the sum of their means, and how many there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FilmSum {
+    sum: [f64; 3],
+    pixels: u64,
+}
+
+impl FilmSum {
+    /// Of the pixels of both.
+    pub fn and(self, other: Self) -> Self {
+        Self { sum: add_colours(self.sum, other.sum), pixels: self.pixels + other.pixels }
+    }
+
+    /// Their mean; black without any.
+    pub fn mean(&self) -> [f64; 3] {
+        self.sum.map(|channel| channel / self.pixels.max(1) as f64)
+    }
+}
+
+/// What the mean comes from: of a film that is traced part by part, those of its parts are added up.
+pub fn film_sum(film: &[FilmPixel], exponent: i32) -> FilmSum {
     let piece = |number: usize| {
         let pixels = film.iter().skip(number * PIECE).take(PIECE);
         let means = pixels.map(|pixel| pixel_mean(pixel, exponent)).filter(|(_, count)| *count > 0);
-        means.fold(([0.0; 3], 0u64), |(sum, pixels), (mean, _)| (add_colours(sum, mean), pixels + 1))
+        means.fold(FilmSum::default(), |sum, (mean, _)| sum.and(FilmSum { sum: mean, pixels: 1 }))
     };
     let pieces = parallel::map(film.len().div_ceil(PIECE), piece);
-    let (sum, pixels) = pieces
-        .into_iter()
-        .fold(([0.0; 3], 0), |(sum, pixels), (more, others)| (add_colours(sum, more), pixels + others));
-    sum.map(|channel| channel / pixels.max(1) as f64)
+    pieces.into_iter().fold(FilmSum::default(), FilmSum::and)
 }
 
 fn add_colours(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

@@ -5,8 +5,8 @@ use glam::UVec2;
 
 use crate::components::Crop;
 use crate::cpu::display;
-use crate::cpu::film::{film_mean, half_mean, pixel_mean};
-use crate::cpu::film_error::{FilmError, Place, film_error};
+use crate::cpu::film::{FilmSum, film_mean, film_sum, half_mean, pixel_mean};
+use crate::cpu::film_error::{ErrorSums, FilmError, Place, error_sums, film_error};
 use crate::layout::film::FilmPixel;
 use crate::layout::trace::TraceParams;
 use crate::layout::view::ViewMode;
@@ -39,6 +39,26 @@ pub struct FilmImage {
     pub error: FilmError,
 }
 
+/// What pictures and reports need of a film, read back: a quarter of what [`FilmImage`] takes. Those of the parts of a film come to that of
+/// the whole.
+#[derive(Clone, Debug)]
+pub struct FilmPart {
+    /// The whole film, pixels.
+    pub size: UVec2,
+    /// The rendered part of it.
+    pub window: Crop,
+    /// Mean radiance, linear Rec.709, row by row from the top of the window.
+    pub rgb: Vec<[f32; 3]>,
+    /// As shown: exposed, sRGB, opaque.
+    pub picture: Vec<[u8; 4]>,
+    /// Samples that every pixel has.
+    pub spp: u32,
+    /// What the mean over all pixels comes from.
+    pub sum: FilmSum,
+    /// What the estimated relMSE comes from.
+    pub error: ErrorSums,
+}
+
 /// Reads back what is shown of the film's window, sRGB; none before anything is.
 pub fn read_picture(world: &World) -> Result<Option<Vec<[u8; 4]>>, EngineError> {
     if progress(world).shown.is_none() {
@@ -51,6 +71,46 @@ pub fn read_picture(world: &World) -> Result<Option<Vec<[u8; 4]>>, EngineError> 
 
 /// Reads the film back; shows it first, if its picture is an older one or not what is viewed.
 pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
+    let (shown, picture) = show_film(world)?;
+    let exponent = shown.exponent;
+    let pixels: Vec<FilmPixel> = world.resource::<Device>().0.read_some("film", picture.len())?;
+    let half = |h: usize| of_each(&pixels, |pixel| half_mean(&pixel.halves[h], exponent).0);
+    Ok(FilmImage {
+        size: shown.size,
+        window: shown.window,
+        rgb: of_each(&pixels, |pixel| pixel_mean(pixel, exponent).0),
+        halves: [half(0), half(1)],
+        spp: shown.spp,
+        mean: film_mean(&pixels, exponent),
+        error: film_error(&pixels, shown.place, exponent),
+        picture,
+        pixels,
+    })
+}
+
+/// The same of what pictures need.
+pub fn read_part(world: &mut World) -> Result<FilmPart, EngineError> {
+    let (shown, picture) = show_film(world)?;
+    let Shown { size, window, place, spp, exponent } = shown;
+    let sums = |film: &[FilmPixel]| {
+        let rgb = of_each(film, |pixel| pixel_mean(pixel, exponent).0);
+        (rgb, film_sum(film, exponent), error_sums(film, place, exponent))
+    };
+    let (rgb, sum, error) = world.resource::<Device>().0.look_at("film", picture.len(), sums)?;
+    Ok(FilmPart { size, window, rgb, picture, spp, sum, error })
+}
+
+/// What is known of a film that was shown.
+struct Shown {
+    size: UVec2,
+    window: Crop,
+    place: Place,
+    spp: u32,
+    exponent: i32,
+}
+
+/// Reads the film's picture back; makes it first, if there is none of the film as it is.
+fn show_film(world: &mut World) -> Result<(Shown, Vec<[u8; 4]>), EngineError> {
     let before = progress(world);
     let (shot, look) = (world.resource::<Shot>(), world.resource::<Displayed>().0);
     let (shot, exponent) = (shot.params, shot.exponent);
@@ -76,24 +136,12 @@ pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
         film::record_display(&mut recording, &params).bind("picture", held);
     }
     device.play(&recording)?;
-    let pixels: Vec<FilmPixel> = device.read_some("film", count as usize)?;
     let picture: Vec<[u8; 4]> = device.read_some(held, count as usize)?;
     if !is_viewed {
         let mut films = world.query::<&mut FilmProgress>();
         films.iter_mut(world).for_each(|mut progress| progress.shown = Some(ViewMode::Beauty));
     }
-    let half = |h: usize| of_each(&pixels, |pixel| half_mean(&pixel.halves[h], exponent).0);
-    Ok(FilmImage {
-        size,
-        window,
-        rgb: of_each(&pixels, |pixel| pixel_mean(pixel, exponent).0),
-        halves: [half(0), half(1)],
-        spp: before.samples,
-        mean: film_mean(&pixels, exponent),
-        error: film_error(&pixels, place(&shot), exponent),
-        picture,
-        pixels,
-    })
+    Ok((Shown { size, window, place: place(&shot), spp: before.samples, exponent }, picture))
 }
 
 /// Pixels that a thread takes at once.

@@ -15,18 +15,20 @@ use std::time::{Duration, Instant};
 use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec4};
 
-pub use crate::cpu::film_error::FilmError;
+pub use crate::cpu::film::FilmSum;
+pub use crate::cpu::film_error::{ErrorSums, FilmError};
+pub use crate::gpu::{DeviceMemory, Held};
 pub use crate::systems::EngineError;
 pub use crate::systems::resources::{Spent, TextureUse, TreeBuilder};
 pub use debug::DebugRange;
-pub use film::FilmImage;
+pub use film::{FilmImage, FilmPart};
 pub use inspect::{Inspected, LookedUp, Seen};
 pub use mesh::MeshExtent;
 pub use replay::{Replay, TrianglePlace};
 pub use report::Report;
 
 use crate::components::{self, Camera, Film, Render};
-use crate::gpu::{Code, Drawn, Gpu, Paint, Placement, Runtime, Surface};
+use crate::gpu::{Code, Drawn, Gpu, GpuError, Paint, Placement, Runtime, Surface};
 use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription, SceneText};
 use crate::shader::{Library, Parameter};
@@ -295,7 +297,12 @@ impl Engine {
         self.world.clear_trackers();
         self.world.resource_mut::<Spent>().steps += start.elapsed().as_secs_f64();
         if let Some(error) = self.world.resource_mut::<Fault>().0.take() {
-            systems::go_back(&mut self.world, error).inspect_err(|_| systems::start_again(&mut self.world))?;
+            systems::go_back(&mut self.world, error).inspect_err(|error| {
+                if matches!(error, EngineError::Gpu(GpuError::OutOfMemory { .. })) {
+                    systems::release_film(&mut self.world);
+                }
+                systems::start_again(&mut self.world);
+            })?;
         }
         let (spp, target) = self.samples();
         Ok(Progress {

@@ -1,12 +1,17 @@
 //! What an engine has made, read back: the film, and what is shown of it.
 
-use super::film::{self, FilmImage};
+use super::film::{self, FilmImage, FilmPart};
 use super::{Engine, EngineError, FilmError};
 
 impl Engine {
     /// Reads the film back, with its picture.
     pub fn film(&mut self) -> Result<FilmImage, EngineError> {
         film::read_film(&mut self.world)
+    }
+
+    /// Reads back what pictures and reports need of the film.
+    pub fn film_part(&mut self) -> Result<FilmPart, EngineError> {
+        film::read_part(&mut self.world)
     }
 
     /// The film's estimated relMSE, of which nothing else is read; 0 where no pixel has two samples.

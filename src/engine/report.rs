@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use bevy_ecs::prelude::*;
 
 use super::{Engine, film};
-use crate::gpu::{GpuTable, PassCompile, PassTiming};
+use crate::gpu::{DeviceMemory, GpuTable, PassCompile, PassTiming};
 use crate::layout::film::{BAD_LOG, BadSample, FilmCounters};
 use crate::layout::sort::SortPlan;
 use crate::layout::tree::{Triangle, node_count};
@@ -49,6 +49,38 @@ pub struct Report {
     pub features: BTreeSet<String>,
     /// Digits of the keys of the tree's sort that were sorted, where passes did that: the others agree in all keys, and were skipped.
     pub sorted_digits: Option<u32>,
+    /// What is held on the device, and the most that was since the engine opened.
+    pub memory: DeviceMemory,
+}
+
+impl Report {
+    /// The same of two films that were traced one after the other, by one engine: what a film counts by itself is added up.
+    pub fn after(self, earlier: Self) -> Self {
+        let mut bad_log = [earlier.bad_log, self.bad_log].concat();
+        bad_log.truncate(BAD_LOG as usize);
+        Self {
+            samples: earlier.samples + self.samples,
+            rays: earlier.rays + self.rays,
+            bad_samples: earlier.bad_samples + self.bad_samples,
+            bad_log,
+            passes: added(earlier.passes, self.passes),
+            ..self
+        }
+    }
+}
+
+/// Times by pass, each name once, in the order in which they came.
+fn added(mut passes: Vec<PassTiming>, more: Vec<PassTiming>) -> Vec<PassTiming> {
+    for pass in more {
+        match passes.iter_mut().find(|held| held.name == pass.name) {
+            None => passes.push(pass),
+            Some(held) => {
+                held.count += pass.count;
+                held.milliseconds += pass.milliseconds;
+            }
+        }
+    }
+    passes
 }
 
 /// Adds up what was done.
@@ -88,6 +120,7 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         },
         dispatches: device.dispatches().clone(),
         features,
+        memory: device.memory(),
     })
 }
 
