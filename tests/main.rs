@@ -4,6 +4,7 @@ mod alias;
 mod alone;
 mod animate;
 mod audit;
+mod bands;
 mod bench;
 mod bsdf;
 mod camera;

@@ -6,10 +6,13 @@ use glam::UVec2;
 use serde_json::{Value, json};
 
 use super::arguments::RenderArguments;
+use super::rendered::{Band, FilmSummary};
 use super::until::{Ended, Until};
 use crate::app::shared::describe::Described;
+use crate::app::shared::memory;
 use crate::app::shared::quality::Quality;
-use crate::engine::{FilmError, FilmImage, Report};
+use crate::components::Crop;
+use crate::engine::{FilmError, Report};
 use crate::image::Outputs;
 use crate::layout::film::BadSample;
 use crate::layout::sort::SORT_DIGITS;
@@ -20,6 +23,9 @@ use crate::scene::settings::Named;
 
 /// Bad samples whose command lines are shown.
 const TOLD: usize = 4;
+
+/// Buffers whose bytes are shown.
+const LARGEST: usize = 5;
 
 /// Wall-clock seconds of the phases.
 #[derive(Clone, Copy, Debug, Default)]
@@ -44,17 +50,27 @@ pub struct RenderSummary<'a> {
     pub path: &'a Path,
     /// As it was rendered.
     pub description: &'a SceneDescription,
-    pub film: &'a FilmImage,
+    pub film: &'a FilmSummary,
     pub report: &'a Report,
     pub seconds: Seconds,
     pub until: Until,
-    pub ended: Ended,
+    /// Bytes of memory that the process took at most; none where the system does not tell.
+    pub process_peak: Option<u64>,
 }
 
 impl RenderSummary<'_> {
     /// What is needed to repeat the render, for the files' metadata.
     pub fn metadata(&self) -> Vec<(&'static str, String)> {
-        self.described().metadata()
+        self.described().metadata_with(self.repeat())
+    }
+
+    /// A command line that gives the same film again. Bands of unlike samples are traced anew for as long as they were to be.
+    fn repeat(&self) -> String {
+        let [least, most] = self.film.samples();
+        match least == most {
+            true => self.described().repeat(),
+            false => self.described().rendered(self.until.flags()),
+        }
     }
 
     fn described(&self) -> Described<'_> {
@@ -64,7 +80,7 @@ impl RenderSummary<'_> {
             defines: &self.arguments.flags.define,
             shaders: self.arguments.flags.shaders.as_deref(),
             window: self.film.window,
-            spp: self.film.spp,
+            spp: self.film.spp(),
             adapter: &self.report.adapter,
         }
     }
@@ -72,7 +88,7 @@ impl RenderSummary<'_> {
     /// The report as one JSON object.
     pub fn json(&self, outputs: &Outputs) -> Value {
         let (scene, film, report) = (self.description, self.film, self.report);
-        let window = film.window;
+        let (window, ended) = (film.window, film.ended());
         let passes: Vec<Value> = report
             .passes
             .iter()
@@ -92,14 +108,14 @@ impl RenderSummary<'_> {
             .collect();
         let writes: serde_json::Map<String, Value> =
             outputs.seconds().iter().map(|(name, seconds)| (name.clone(), (*seconds).into())).collect();
-        json!({
+        let mut whole = json!({
             "version": env!("CARGO_PKG_VERSION"),
             "scene": scene.name,
             "scene_file": self.path.display().to_string(),
             "adapter": report.adapter,
             "size": [film.size.x, film.size.y],
             "crop": [window.min.x, window.max.x, window.min.y, window.max.y],
-            "spp": film.spp,
+            "spp": film.spp(),
             "triangles": report.triangles,
             "nodes": report.nodes,
             "textures": report.textures,
@@ -114,9 +130,9 @@ impl RenderSummary<'_> {
             "energy": scene.render.energy.variant(),
             "exposure": scene.film.exposure,
             "tone": scene.film.tone.name(),
-            "repeat": self.described().repeat(),
-            "interrupted": self.ended == Ended::Interrupted,
-            "ended_by": self.ended.word(),
+            "repeat": self.repeat(),
+            "interrupted": ended == Ended::Interrupted,
+            "ended_by": ended.word(),
             "quality": self.until.quality.map(Quality::name),
             "error_wanted": self.until.error,
             "seconds": {
@@ -134,17 +150,81 @@ impl RenderSummary<'_> {
             "samples": report.samples,
             "rays": report.rays,
             "rays_per_second": self.rays_per_second(),
-            "mean": film.mean,
+            "mean": film.mean(),
             // Null with one sample a pixel: that gives no error.
-            "relative_error": self.error().map(|error| error.relmse),
+            "relative_error": film.error().map(|error| error.relmse),
             // It is at most this, with 95 % confidence.
-            "relative_error_bound": self.error().map(|error| error.bound),
+            "relative_error_bound": film.error().map(|error| error.bound),
             "bad_samples": report.bad_samples,
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
             "passes": passes,
             "compiled": compiled,
             "skipped": self.skipped(),
             "outputs": outputs.names(),
+        });
+        whole["memory"] = self.memory();
+        // Null where the film was traced at once.
+        whole["bands"] = self.bands().into();
+        // Null but where rows were left.
+        whole["rest"] = self.rest(outputs).into();
+        whole
+    }
+
+    /// Of each band, its rows and what they have.
+    fn bands(&self) -> Option<Vec<Value>> {
+        let told = |band: &Band| {
+            let error = (band.spp > 1).then(|| band.error.error());
+            json!({
+                "rows": [band.window.min.y, band.window.max.y],
+                "spp": band.spp,
+                "ended_by": band.ended.word(),
+                "relative_error": error.map(|error| error.relmse),
+                "relative_error_bound": error.map(|error| error.bound),
+            })
+        };
+        self.film.is_in_bands().then(|| self.film.bands.iter().map(told).collect())
+    }
+
+    /// A command line that renders, to files of their own, the rows that an interrupt left black, with those of the band that it cut short.
+    fn rest(&self, outputs: &Outputs) -> Option<String> {
+        let film = self.film;
+        if !film.is_in_bands() || film.ended() != Ended::Interrupted {
+            return None;
+        }
+        let cut = film.bands.last().filter(|band| band.ended == Ended::Interrupted);
+        let first = cut.map_or(film.end(), |band| band.window.min.y);
+        let files: Vec<String> = outputs.names().iter().map(|name| beside(name, first)).collect();
+        let window = Crop { min: film.window.min.with_y(first), max: film.window.max };
+        Some(self.described().part(window, self.until.flags(), &files))
+    }
+
+    /// What an interrupt left; nothing without one.
+    pub fn interrupted_lines(&self, outputs: &Outputs) -> Vec<String> {
+        let film = self.film;
+        let of = self.until.spp.map_or(String::new(), |spp| format!(" of {spp}"));
+        match (film.ended(), self.rest(outputs)) {
+            (Ended::Interrupted, None) => vec![format!("interrupted at {}{of} spp", film.spp())],
+            (Ended::Interrupted, Some(rest)) => vec![
+                format!(
+                    "interrupted in row {} of {}: those below are black; this renders the rest:",
+                    film.end(),
+                    film.size.y
+                ),
+                format!("  {rest}"),
+            ],
+            _ => Vec::new(),
+        }
+    }
+
+    /// Bytes of memory. Null where the system does not tell.
+    fn memory(&self) -> Value {
+        let device = &self.report.memory;
+        let buffers: serde_json::Map<String, Value> =
+            device.buffers.iter().map(|(name, bytes)| ((*name).to_owned(), (*bytes).into())).collect();
+        json!({
+            "device_peak": device.held.most,
+            "device_buffers": buffers,
+            "process_peak": self.process_peak,
         })
     }
 
@@ -178,11 +258,6 @@ impl RenderSummary<'_> {
         })
     }
 
-    /// What the film tells of its error; with one sample a pixel, nothing.
-    fn error(&self) -> Option<FilmError> {
-        (self.film.spp > 1).then_some(self.film.error)
-    }
-
     fn pixel(&self, bad: &BadSample) -> UVec2 {
         let width = self.film.size.x.max(1);
         UVec2::new(bad.pixel % width, bad.pixel / width)
@@ -214,21 +289,25 @@ impl RenderSummary<'_> {
     pub fn text(&self, outputs: &Outputs, stats: bool) -> String {
         let (film, report) = (self.film, self.report);
         let size = film.window.size();
+        let samples = match film.samples() {
+            [least, most] if least == most => least.to_string(),
+            [least, most] => format!("{least} to {most}"),
+        };
         let mut text = format!(
             "{}: {}x{}, {} spp, {} triangles, {:.2} s ({:.2} Mrays/s), {}\n",
             self.description.name,
             size.x,
             size.y,
-            film.spp,
+            samples,
             report.triangles,
             self.seconds.total,
             self.rays_per_second() * 1e-6,
-            match self.error() {
+            match film.error() {
                 None => "too few samples to tell the error".to_owned(),
                 Some(FilmError { relmse, bound }) => format!("relMSE {relmse:.1e} (95 %: below {bound:.1e})"),
             },
         );
-        if let Some(line) = self.until.line(self.ended, self.error()) {
+        if let Some(line) = self.until.line(film.ended(), film.error()) {
             text += &format!("  {line}\n");
         }
         if stats {
@@ -262,6 +341,7 @@ impl RenderSummary<'_> {
         for (name, seconds) in outputs.seconds() {
             text += &format!("  written in {seconds:.3} s: {name}\n");
         }
+        text += &self.memory_lines();
         text += &self.skipped_lines();
         for pass in &report.compiles {
             let (link, driver) = (pass.link_milliseconds, pass.driver_milliseconds);
@@ -276,6 +356,26 @@ impl RenderSummary<'_> {
         }
         for pass in &report.passes {
             text += &format!("  {:<16} {:>8} x {:>12.3} ms\n", pass.name, pass.count, pass.milliseconds);
+        }
+        text
+    }
+
+    /// What was held at most, and the largest buffers.
+    fn memory_lines(&self) -> String {
+        let device = &self.report.memory;
+        let largest: Vec<String> = device
+            .buffers
+            .iter()
+            .take(LARGEST)
+            .map(|(name, bytes)| format!("{name} {}", memory::shown(*bytes)))
+            .collect();
+        let process =
+            self.process_peak.map_or(String::new(), |bytes| format!("; process {} at most", memory::shown(bytes)));
+        let (most, largest) = (memory::shown(device.held.most), largest.join(", "));
+        let mut text = format!("  memory: buffers on the device {most} at most ({largest}){process}\n");
+        if self.film.is_in_bands() {
+            text +=
+                &format!("  traced in {} bands of rows, for the film is larger than a buffer\n", self.film.bands.len());
         }
         text
     }
@@ -297,4 +397,12 @@ impl RenderSummary<'_> {
         }
         text
     }
+}
+
+/// The name of a file beside another one, for the rows from `first` on.
+fn beside(name: &str, first: u32) -> String {
+    let path = Path::new(name);
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = path.extension().map_or(String::new(), |ending| format!(".{}", ending.to_string_lossy()));
+    path.with_file_name(format!("{stem}-rows-{first}{ending}")).display().to_string()
 }

@@ -8,6 +8,7 @@ pub(super) mod failure;
 pub(super) mod flip;
 pub(super) mod interrupt;
 pub(super) mod key;
+pub mod memory;
 pub(super) mod opening;
 pub(super) mod output;
 pub(super) mod parameters;

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use glam::UVec2;
 
+use crate::app::shared::memory;
 use crate::engine::{DebugRange, Engine, EngineError, Inspected, Report};
 use crate::gpu::PassTiming;
 use crate::passes::debug::DEBUG;
@@ -37,6 +38,8 @@ pub struct Readings {
     pub samples_per_second: f64,
     pub rays_per_second: f64,
     pub report: Option<Report>,
+    /// Bytes of memory that the process took at most; none where the system does not tell.
+    pub process_peak: Option<u64>,
     /// Estimated relMSE; none before the second sample.
     pub error: Option<f64>,
     /// log10 of the seconds since the film began, and of its estimated relMSE.
@@ -66,6 +69,7 @@ impl Readings {
             samples_per_second: 0.0,
             rays_per_second: 0.0,
             report: None,
+            process_peak: memory::peak(),
             error: None,
             curve: Vec::new(),
             passes: Vec::new(),
@@ -171,6 +175,7 @@ impl Readings {
             self.rays_per_second = self.samples_per_second * rays_per_sample;
         }
         self.count_passes(&report);
+        self.process_peak = memory::peak();
         self.report = Some(report);
         self.film_cost = begin.elapsed();
         Ok(())
