@@ -33,7 +33,7 @@ pub fn show(ui: &mut Ui, readings: &Readings) {
         None => (nothing(), 0),
     };
     let device = readings.report.as_ref().map(|report| report.memory.held);
-    let device = device.map_or_else(nothing, |held| format!("{}, most {}", shown(held.now), shown(held.most)));
+    let device = device.map_or_else(nothing, |held| shown(held.most));
     let mut rows = vec![
         ("samples", format!("{}{of}", readings.spp)),
         ("samples/s", short(readings.samples_per_second)),
@@ -41,10 +41,10 @@ pub fn show(ui: &mut Ui, readings: &Readings) {
         ("estimated relMSE", readings.error.map_or_else(nothing, |error| format!("{error:.3e}"))),
         ("triangles", triangles),
         ("bad samples", bad.to_string()),
-        ("device buffers", device),
+        ("buffers, most", device),
     ];
     // Known of a process from its start, or never.
-    rows.extend(readings.process_peak.map(|bytes| ("process memory", format!("most {}", shown(bytes)))));
+    rows.extend(readings.process_peak.map(|bytes| ("process, most", shown(bytes))));
     egui::Grid::new("progress").num_columns(2).show(ui, |ui| {
         for (name, value) in rows {
             ui.label(name);
