@@ -13,7 +13,7 @@ use lucerna::layout::view::ViewParams;
 use lucerna::passes::lattice::Lattice;
 use lucerna::passes::table::TABLE;
 use lucerna::passes::tree::PLAN;
-use lucerna::passes::{Makes, Recording, Twin, debug, film, trace, view};
+use lucerna::passes::{Makes, Recording, Twin, blocks, debug, film, trace, view};
 use lucerna::shader::{Features, Library, Linked};
 use naga::valid::GlobalUse;
 
@@ -98,7 +98,9 @@ fn recordings(purpose: Makes) -> Vec<Recording> {
             vec![record(&|recording| {
                 film::record_reset(recording, 1);
                 trace::record_reused(recording, &params, 1, false);
-                film::record_accumulate(recording, &film::accumulate_params(&params, 0, &params));
+                let adding = film::accumulate_params(&params, 0, &params);
+                film::record_accumulate(recording, &adding);
+                blocks::record(recording, &adding);
             })]
         }
         Makes::Picture => {

@@ -7,6 +7,7 @@ mod display;
 mod dock;
 #[cfg(target_os = "linux")]
 mod edits;
+mod errors;
 mod family;
 mod files;
 #[cfg(target_os = "linux")]

@@ -31,6 +31,14 @@ fn linear(halves: &[&FilmHalf], scale: f32) -> [f64; 3] {
     })
 }
 
+/// Linear light as the display pass shows it, 2^`exposure` times as bright; opaque.
+pub fn shown(linear: [f32; 3], exposure: f32, tone: u32) -> [u8; 4] {
+    let scale = f64::from(exposure).exp2();
+    let [r, g, b] =
+        codes(linear.map(|channel| f64::from(channel) * scale), tone).map(|code| (code + 0.5).floor() as u8);
+    [r, g, b, 255]
+}
+
 /// Exposed light by a `TONE_` curve as codes of 8 bits, not rounded.
 fn codes(linear: [f64; 3], tone: u32) -> [f64; 3] {
     toned(linear, tone).map(|value| 255.0 * srgb_encode(value.clamp(0.0, 1.0)))

@@ -47,13 +47,13 @@ pub fn accumulate(film: &mut [FilmPixel], radiance: &[RadianceSample], params: &
 }
 
 /// Where a pixel of the batch is, from its first one.
-fn place_of(pixel: u32, params: &AccumulateParams) -> UVec2 {
+pub(super) fn place_of(pixel: u32, params: &AccumulateParams) -> UVec2 {
     UVec2::new(pixel % params.window_width, pixel / params.window_width)
         << UVec2::new(params.column_shift, params.row_shift)
 }
 
 /// Adds a sample, or says what is wrong with it.
-fn add(half: &mut FilmHalf, from: &RadianceSample, exponent: i32) -> Option<u32> {
+pub(super) fn add(half: &mut FilmHalf, from: &RadianceSample, exponent: i32) -> Option<u32> {
     let rgb = from.rgb.to_array();
     if let Some(kind) = rgb.into_iter().find_map(fault) {
         return Some(kind);

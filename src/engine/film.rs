@@ -7,14 +7,15 @@ use crate::components::Crop;
 use crate::cpu::display;
 use crate::cpu::film::{film_mean, half_mean, pixel_mean};
 use crate::cpu::film_error::{FilmError, Place, film_error};
-use crate::layout::film::FilmPixel;
+use crate::cpu::robust::{RobustFilm, robust_film};
+use crate::layout::film::{FilmPixel, RobustPixel};
 use crate::layout::trace::TraceParams;
 use crate::layout::view::ViewMode;
 use crate::parallel;
 use crate::passes::lattice::Lattice;
 use crate::passes::{Recording, film};
 use crate::systems::EngineError;
-use crate::systems::resources::{Device, Displayed, FilmProgress, Shot, Viewed};
+use crate::systems::resources::{Device, Displayed, FilmProgress, Robust, Shot, Viewed};
 
 /// The film, read back. Pixels go row by row from the top of the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,6 +122,17 @@ pub fn read_error(world: &World) -> Result<FilmError, EngineError> {
             Ok(world.resource::<Device>().0.look_at("film", (size.x * size.y) as usize, error)?)
         }
     }
+}
+
+/// The film's robust means; none unless its samples are summed in blocks, or before there are any.
+pub fn read_robust(world: &World) -> Result<Option<RobustFilm>, EngineError> {
+    let shot = world.resource::<Shot>();
+    if !world.resource::<Robust>().0 || progress(world).is_empty() {
+        return Ok(None);
+    }
+    let count = (shot.size().x * shot.size().y) as usize;
+    let means = |blocks: &[RobustPixel]| robust_film(blocks, shot.exponent);
+    Ok(Some(world.resource::<Device>().0.look_at("blocks", count, means)?))
 }
 
 /// Where the window's pixels are.

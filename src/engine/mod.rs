@@ -7,6 +7,7 @@ mod mesh;
 mod read;
 mod replay;
 mod report;
+mod sources;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -16,6 +17,7 @@ use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec4};
 
 pub use crate::cpu::film_error::FilmError;
+pub use crate::cpu::robust::{RobustFilm, Worst};
 pub use crate::systems::EngineError;
 pub use crate::systems::resources::{Spent, TextureUse, TreeBuilder};
 pub use debug::DebugRange;
@@ -24,6 +26,7 @@ pub use inspect::{Inspected, LookedUp, Seen};
 pub use mesh::MeshExtent;
 pub use replay::{Replay, TrianglePlace};
 pub use report::Report;
+pub use sources::{ErrorSources, Most, Source, SourceMap, Survey, Surveyed};
 
 use crate::components::{self, Camera, Film, Render};
 use crate::gpu::{Code, Drawn, Gpu, Paint, Placement, Runtime, Surface};
@@ -31,8 +34,8 @@ use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription, SceneText};
 use crate::shader::{Library, Parameter};
 use crate::systems::resources::{
-    Budget, CompileListener, Device, Endless, FilmProgress, Frame, General, Live, MaterialSlot, SceneGeometry, Shot,
-    Sky, SkySource, Target, Textures, Viewed,
+    Budget, CompileListener, Device, Endless, FilmProgress, Frame, General, Live, MaterialSlot, Robust, SceneGeometry,
+    Shot, Sky, SkySource, Target, Textures, Viewed,
 };
 use crate::systems::{self, Fault, Reload};
 use crate::watch::{Problem, ReloadEvent, Sources, WatchError};
@@ -154,6 +157,19 @@ impl Engine {
     /// that is a change. What that costs is what a scene without it saves.
     pub fn set_general(&mut self, on: bool) {
         self.world.resource_mut::<General>().set_if_neq(General(on));
+    }
+
+    /// Has samples summed in blocks too, beside the film, so that a robust mean can be told; or no longer. Where that begins the film starts anew,
+    /// and is the same film.
+    pub fn set_robust(&mut self, on: bool) {
+        if self.world.resource_mut::<Robust>().set_if_neq(Robust(on)) && on {
+            self.restart_film();
+        }
+    }
+
+    /// Whether samples are summed in blocks too.
+    pub fn is_robust(&self) -> bool {
+        self.world.resource::<Robust>().0
     }
 
     /// Seconds and samples since the engine opened.

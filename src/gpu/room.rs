@@ -1,7 +1,7 @@
 //! What to do about an array that a device has no room for: what of the scene it grows with, and how much of that there can be.
 
 use crate::layout::alias::AliasColumn;
-use crate::layout::film::FilmPixel;
+use crate::layout::film::{FilmPixel, RobustPixel};
 use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{GatherPoint, LentPoint, MaterialRecord, RadianceSample, Shading};
@@ -29,6 +29,7 @@ fn growth(name: &str) -> Option<(Grows, usize)> {
         "sky" => (Grows::Sky, size_of::<glam::Vec4>()),
         "sky_columns" => (Grows::Sky, size_of::<AliasColumn>()),
         "film" => (Grows::Film, size_of::<FilmPixel>()),
+        "blocks" => (Grows::Film, size_of::<RobustPixel>()),
         "gather_points" => (Grows::Film, size_of::<GatherPoint>()),
         "lent_points" => (Grows::Film, size_of::<LentPoint>()),
         "gather_materials" => (Grows::Film, size_of::<MaterialRecord>()),

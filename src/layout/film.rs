@@ -21,6 +21,16 @@ gpu_struct! {
         pub halves: [FilmHalf; 2],
     }
 
+    /// A pixel's samples in blocks, beside the film: what a robust mean is made of.
+    pub struct RobustPixel {
+        /// Of the film samples whose number leaves that remainder.
+        pub blocks: [FilmHalf; ROBUST_BLOCKS as usize],
+        /// Luminance of the brightest sample; 0 where none has any.
+        pub brightest: f32,
+        /// The first film sample that is as bright.
+        pub sample: u32,
+    }
+
     /// Where a sample went wrong.
     pub struct BadSample {
         /// Row times the whole film's width plus column.
@@ -99,6 +109,8 @@ gpu_struct! {
 }
 
 gpu_consts! {
+    /// Blocks of a pixel's samples; even, so that each is of one half.
+    pub const ROBUST_BLOCKS: u32 = 16;
     /// Entries of [`FilmCounters::log`].
     pub const BAD_LOG: u32 = 1024;
     /// A bad sample whose bounce is not known: it went bad in the film.

@@ -14,6 +14,7 @@ pub mod ray;
 pub mod replay;
 pub mod sky;
 pub mod sort;
+pub mod sources;
 pub mod texture;
 pub mod trace;
 pub mod tree;
@@ -53,6 +54,7 @@ pub static ALL: &[&StructLayout] = &[
     &texture::Tangents::LAYOUT,
     &film::FilmHalf::LAYOUT,
     &film::FilmPixel::LAYOUT,
+    &film::RobustPixel::LAYOUT,
     &film::BadSample::LAYOUT,
     &film::FilmCounters::LAYOUT,
     &film::AccumulateParams::LAYOUT,
@@ -67,6 +69,7 @@ pub static ALL: &[&StructLayout] = &[
     &lint::LintParams::LAYOUT,
     &replay::PathTurn::LAYOUT,
     &replay::Replayed::LAYOUT,
+    &sources::Contribution::LAYOUT,
 ];
 
 /// Every struct that WGSL may read by vectors of four words: what unpacks them is imported from `package::gen` as well.
@@ -90,6 +93,7 @@ pub static CONSTS: &[&[GpuConst]] = &[
     tree::CONSTS,
     ray::CONSTS,
     replay::CONSTS,
+    sources::CONSTS,
     trace::CONSTS,
     texture::CONSTS,
     film::CONSTS,

@@ -12,7 +12,7 @@ pub static REPLAY: Pass = Pass {
     module: "passes/trace/replay",
     entry: "replay",
     features: &["record"],
-    bindings: &Binding::list::<20>(&[&TRACED, &[Binding::write("replayed", "Replayed")]]),
+    bindings: &Binding::list::<21>(&[&TRACED, &[Binding::write("replayed", "Replayed")]]),
     makes: &[],
     twin: twin!(replay::replay),
 };

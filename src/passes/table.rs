@@ -1,6 +1,6 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, debug, extend, film, lint, replay, sort, trace, tree, view};
+use super::{CLEAR, Pass, blocks, debug, extend, film, lint, replay, sort, sources, trace, tree, view};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &joined::<{ count(STAGES) }>(STAGES);
@@ -23,10 +23,12 @@ const STAGES: &[&[&Pass]] = &[
         &trace::PATH,
         &trace::GATHER,
         &film::ACCUMULATE,
+        &blocks::BLOCKS,
         &film::DISPLAY,
         &view::VIEW,
         &debug::DEBUG,
         &replay::REPLAY,
+        &sources::SOURCES,
         &lint::LINT,
     ],
 ];

@@ -13,7 +13,7 @@ use crate::layout::trace::{
 use crate::layout::tree::FEW_TRIANGLES;
 
 /// What tracing a path reads, whatever becomes of it.
-pub const TRACED: [Binding; 19] = Binding::list::<19>(&[
+pub const TRACED: [Binding; 20] = Binding::list::<20>(&[
     &[
         Binding::read("nodes", "array<vec4<u32>>"),
         Binding::read("leaves", "array<vec4<u32>>"),
@@ -35,6 +35,7 @@ pub const TRACED: [Binding; 19] = Binding::list::<19>(&[
         Binding::write("lent_points", "array<LentPoint>").when(&["reuse"]),
         Binding::write("gather_materials", "array<MaterialRecord>").when(&["textures"]).and(&["reuse"]),
         Binding::write("turns", "array<PathTurn>").when(&["record"]),
+        Binding::write("brought", "array<Contribution>").when(&["sources"]),
     ],
 ]);
 
@@ -44,7 +45,7 @@ pub static PATH: Pass = Pass {
     module: "passes/trace/path",
     entry: "path",
     features: &[],
-    bindings: &Binding::list::<20>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
+    bindings: &Binding::list::<21>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
     makes: &[Makes::Film],
     twin: twin!(path::PathScene::sample),
 };
@@ -106,12 +107,17 @@ pub fn record_reused(recording: &mut Recording, params: &TraceParams, at_once: u
         let layers = at_once.max(1).min(params.layers - first_layer);
         let part = TraceParams { first_layer, layers, first_sample: params.first_sample + first_layer, ..*params };
         record(recording, &part);
-        let size = Size::Pixels { width: part.window_width, height: part.window_height, layers };
-        let call = recording.run(&GATHER, size).params(&part);
-        if textured {
-            call.bind("materials", "gather_materials");
-        }
+        record_gather(recording, &part, textured);
         first_layer += layers;
+    }
+}
+
+/// Records what pixels gather of what was lent in the batch of `params`, which is of whole blocks.
+pub fn record_gather(recording: &mut Recording, params: &TraceParams, textured: bool) {
+    let size = Size::Pixels { width: params.window_width, height: params.window_height, layers: params.layers };
+    let call = recording.run(&GATHER, size).params(params);
+    if textured {
+        call.bind("materials", "gather_materials");
     }
 }
 

@@ -1,12 +1,12 @@
-//! Records the adding of a batch to the film.
+//! Records the adding of a batch to the film, and to the blocks beside it where a robust mean is wanted.
 
 use bevy_ecs::prelude::*;
 
 use super::phase::Phase;
-use super::resources::{Batch, FilmProgress, Frame, Shot};
+use super::resources::{Batch, FilmProgress, Frame, Robust, Shot};
 use super::run::counted;
 use crate::components::Film;
-use crate::passes::film;
+use crate::passes::{blocks, film};
 
 pub fn add_systems(schedule: &mut Schedule) {
     let batch_planned = |batch: Res<Batch>| !batch.is_empty();
@@ -19,12 +19,16 @@ fn accumulate_batch(
     mut progress: Single<&mut FilmProgress, With<Film>>,
     batch: Res<Batch>,
     shot: Res<Shot>,
+    robust: Res<Robust>,
 ) {
     let size = shot.size();
     let mut params = film::accumulate_params(&batch.params(&shot), shot.exponent, &shot.params);
     film::take_from(&mut params, &batch.traced(&shot));
     params.replaces = u32::from(progress.previewed && progress.samples == 0);
     film::record_accumulate(&mut frame.trace, &params);
+    if robust.0 {
+        blocks::record(&mut frame.trace, &params);
+    }
     let before = progress.shows();
     progress.add(&batch, size);
     // Until there is a finer level, the picture stays what it is.

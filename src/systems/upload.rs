@@ -4,7 +4,7 @@ use bevy_ecs::prelude::*;
 
 use super::error::EngineError;
 use super::phase::Phase;
-use super::resources::{Device, FilmProgress, MeanEmission, Shot, SkyCell, Spent, Texel};
+use super::resources::{Device, FilmProgress, MeanEmission, Robust, Shot, SkyCell, Spent, Texel};
 use super::run::counted;
 use crate::components::Film;
 use crate::gpu::{GpuTable, TableRow};
@@ -13,7 +13,7 @@ use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{MaterialRecord, Shading};
 use crate::layout::tree::Triangle;
-use crate::passes::film;
+use crate::passes::{blocks, film};
 
 /// Every array of the scene.
 const TABLES: [Table; 12] = [
@@ -87,10 +87,13 @@ fn begin_film(
     mut device: ResMut<Device>,
     mut progress: Single<&mut FilmProgress, With<Film>>,
     shot: Res<Shot>,
+    robust: Res<Robust>,
     mut spent: ResMut<Spent>,
 ) -> Result<(), EngineError> {
     let size = shot.size();
-    for (name, bytes) in film::buffers(u64::from(size.x) * u64::from(size.y)) {
+    let pixels = u64::from(size.x) * u64::from(size.y);
+    let blocks = if robust.0 { blocks::buffers(pixels) } else { Vec::new() };
+    for (name, bytes) in film::buffers(pixels).into_iter().chain(blocks) {
         device.0.reserve(name, bytes)?;
     }
     let of_device = device.0.gpu().shader_features().iter().copied();

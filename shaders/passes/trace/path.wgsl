@@ -32,6 +32,7 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 @if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
 @if(record) import package::lib::record::{turn};
+@if(sources) import package::passes::trace::brought::{bring, note_found, note_sampled_arrives, note_scattered};
 import package::passes::trace::materials::{load_material};
 @if(record) import package::passes::trace::record::{begin_turn, end_turn, note_drawn, note_surface};
 import package::passes::trace::scene::{load_leaf, scene_extent};
@@ -80,6 +81,7 @@ fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, materi
 fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, @if(reuse) lent_light: vec3<f32>, material: u32) -> bool {
     (*state).radiance += light;
     @if(record) turn.added = light;
+    @if(sources) bring(light);
     var good = check(state, (*state).radiance, params.largest, material);
     @if(reuse) {
         lent.radiance += lent_light;
@@ -183,10 +185,12 @@ fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
             @if(thin && relief) {
                 straight = straight && !surface.bent;
             }
+            @if(sources) note_scattered(surface.index, drawn.pdf, straight);
             // Light sampling goes straight on there too: what lies behind is weighted as if nothing were in between.
             (*state).pdf = select(drawn.pdf, (*state).pdf, straight);
             (*state).passed = select(0.0, (*state).passed + surface.t, straight);
         } @else {
+            @if(sources) note_scattered(surface.index, drawn.pdf, false);
             (*state).pdf = drawn.pdf;
         }
         (*state).bounce += 1u;
@@ -258,6 +262,7 @@ fn shade(state: ptr<function, PathState>, hit: Hit, @if(reuse) place: u32) -> Sh
     let light = incident_radiance(state, hit, material, mean, area_normal);
     var shaded: Shaded;
     let material_seen = select(triangle.material, NO_MATERIAL, missed);
+    @if(sources) note_found(params, hit.triangle, (*state).direction);
     shaded.alive = add_radiance(state, (*state).throughput * light, @if(reuse) lent.throughput * light, material_seen);
     if (shaded.alive && !missed && (*state).bounce + 1u < params.max_depth) {
         var frame = shading_frame_at(triangle, hit, area_normal, -(*state).direction);
@@ -340,6 +345,7 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
                 @if(record) turn.throughput = connection.light;
                 let seen = sees_light(connection, hit);
                 if (seen) {
+                    @if(sources) note_sampled_arrives();
                     alive = add_radiance(&state, connection.light, @if(reuse) connection.lent, NO_MATERIAL) && alive;
                 }
                 is_shadow_ray = false;

@@ -19,7 +19,7 @@ use crate::app::shared::scene::Opened;
 use crate::app::shared::textures::TextureNotices;
 use crate::app::{Exit, Failure};
 use crate::components::Render;
-use crate::engine::{Engine, FilmError, Progress};
+use crate::engine::{Engine, ErrorSources, FilmError, Progress, Surveyed};
 use crate::image::{Output, Outputs, Picture, SaveError};
 use crate::scene::SceneDescription;
 use report::{RenderSummary, Seconds};
@@ -27,6 +27,9 @@ use until::{Ended, Next, Until};
 
 /// Tracing between two polls of the clock and of signals.
 const STEP: Duration = Duration::from_millis(100);
+
+/// Paths that are traced between two polls, to find out where the error comes from.
+const MOST_PATHS: u64 = 1 << 17;
 
 /// What is said where there is nothing to write.
 const NOTHING: &str = "interrupted before there was anything to write";
@@ -52,6 +55,7 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
     let begin = Instant::now();
     let mut engine = Engine::open(gpu.clone(), library, &description).map_err(Failure::engine)?;
     engine.set_timing(true);
+    engine.set_robust(arguments.robust);
     let load = load + begin.elapsed();
 
     let (ended, estimate) = trace(&mut engine, &description, (until, arguments.quiet), &interrupt, started)?;
@@ -61,6 +65,13 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         let unread = parameters::unread(&description.shader, &engine);
         unread.iter().for_each(|warning| output::note(&format!("warning: {warning}")));
     }
+    let robust = engine.robust_film().map_err(Failure::engine)?;
+    let read = begin.elapsed();
+    let sources = match arguments.sources && ended != Ended::Interrupted {
+        true => sources(&mut engine, &interrupt)?,
+        false => None,
+    };
+    let surveyed = begin.elapsed() - read;
     let report = engine.report().map_err(Failure::engine)?;
     if report.samples == 0 {
         output::note(NOTHING);
@@ -70,7 +81,8 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         start: start.as_secs_f64(),
         load: load.as_secs_f64(),
         estimate: estimate.as_secs_f64(),
-        read: begin.elapsed().as_secs_f64(),
+        read: (begin.elapsed() - surveyed).as_secs_f64(),
+        sources: surveyed.as_secs_f64(),
         total: started.elapsed().as_secs_f64(),
     };
     let interrupted = ended == Ended::Interrupted;
@@ -80,6 +92,8 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         description: &description,
         film: &film,
         report: &report,
+        sources: sources.as_ref(),
+        robust: robust.as_ref(),
         seconds,
         until,
         ended,
@@ -97,6 +111,17 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         (true, true) => Exit::Interrupted,
         (true, false) => Exit::Done,
     })
+}
+
+/// Finds out where the film's error comes from; none where a signal came first.
+fn sources(engine: &mut Engine, interrupt: &Interrupt) -> Result<Option<ErrorSources>, Failure> {
+    let Some(mut survey) = engine.begin_survey(MOST_PATHS).map_err(Failure::engine)? else { return Ok(None) };
+    while !interrupt.requested() {
+        if engine.survey(&mut survey).map_err(Failure::engine)? != Surveyed::More {
+            return Ok(Some(engine.sources(&survey)));
+        }
+    }
+    Ok(None)
 }
 
 /// Writes the files, then says so; whether all were written.

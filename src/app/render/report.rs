@@ -9,9 +9,10 @@ use super::arguments::RenderArguments;
 use super::until::{Ended, Until};
 use crate::app::shared::describe::Described;
 use crate::app::shared::quality::Quality;
-use crate::engine::{FilmError, FilmImage, Report};
+use crate::app::shared::sources;
+use crate::engine::{ErrorSources, FilmError, FilmImage, Report, RobustFilm, Worst};
 use crate::image::Outputs;
-use crate::layout::film::BadSample;
+use crate::layout::film::{BadSample, ROBUST_BLOCKS};
 use crate::layout::sort::SORT_DIGITS;
 use crate::passes::features::{FEATURES, Feature};
 use crate::passes::table::TABLE;
@@ -32,6 +33,8 @@ pub struct Seconds {
     pub estimate: f64,
     /// Reading the finished film back, with all that is said of it.
     pub read: f64,
+    /// Finding out where its error comes from.
+    pub sources: f64,
     /// From the start of the process to the film's return.
     pub total: f64,
 }
@@ -46,6 +49,10 @@ pub struct RenderSummary<'a> {
     pub description: &'a SceneDescription,
     pub film: &'a FilmImage,
     pub report: &'a Report,
+    /// Where its error comes from, where that was asked.
+    pub sources: Option<&'a ErrorSources>,
+    /// Its robust means, where those were asked.
+    pub robust: Option<&'a RobustFilm>,
     pub seconds: Seconds,
     pub until: Until,
     pub ended: Ended,
@@ -128,6 +135,7 @@ impl RenderSummary<'_> {
                 "trace": report.seconds_trace,
                 "estimate": self.seconds.estimate,
                 "read": self.seconds.read,
+                "sources": self.seconds.sources,
                 "total": self.seconds.total,
                 "write": writes,
             },
@@ -139,6 +147,10 @@ impl RenderSummary<'_> {
             "relative_error": self.error().map(|error| error.relmse),
             // It is at most this, with 95 % confidence.
             "relative_error_bound": self.error().map(|error| error.bound),
+            // Null without --sources.
+            "sources": self.sources.map(|found| sources::report(found, &scene.render)),
+            // Null without --robust.
+            "robust": self.robust.map(|robust| self.robust_report(robust)),
             "bad_samples": report.bad_samples,
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
             "passes": passes,
@@ -181,6 +193,58 @@ impl RenderSummary<'_> {
     /// What the film tells of its error; with one sample a pixel, nothing.
     fn error(&self) -> Option<FilmError> {
         (self.film.spp > 1).then_some(self.film.error)
+    }
+
+    /// Where the film hangs on single samples, for programs.
+    fn robust_report(&self, robust: &RobustFilm) -> Value {
+        let worst = |worst: &Worst| {
+            let pixel = self.place(worst.index);
+            json!({
+                "pixel": [pixel.x, pixel.y],
+                "plain": worst.plain,
+                "robust": worst.robust,
+                "brightest": worst.brightest,
+                "sample": worst.sample,
+                "replay": self.described().replay(pixel, worst.sample),
+            })
+        };
+        json!({
+            "blocks": ROBUST_BLOCKS,
+            "plain": robust.plain,
+            "robust": robust.robust,
+            "parted": robust.parted,
+            "worst": robust.worst.iter().map(worst).collect::<Vec<_>>(),
+        })
+    }
+
+    /// The same for users, where that was asked.
+    fn robust_lines(&self) -> String {
+        let Some(robust) = self.robust else { return String::new() };
+        let mut text = format!(
+            "  robust mean {:.4} beside {:.4} (luminance); {:.2} % of the pixels part by more than their blocks explain\n",
+            robust.robust,
+            robust.plain,
+            100.0 * robust.parted
+        );
+        for worst in &robust.worst {
+            let pixel = self.place(worst.index);
+            text += &format!(
+                "    {},{}: {:.3} is {:.3} without its brightest samples; the first of these is {:.3e}:\n      {}\n",
+                pixel.x,
+                pixel.y,
+                worst.plain,
+                worst.robust,
+                worst.brightest,
+                self.described().replay(pixel, worst.sample)
+            );
+        }
+        text
+    }
+
+    /// A pixel of the whole film by its place in the window.
+    fn place(&self, index: usize) -> UVec2 {
+        let width = self.film.window.size().x.max(1);
+        self.film.window.min + UVec2::new(index as u32 % width, index as u32 / width)
     }
 
     fn pixel(&self, bad: &BadSample) -> UVec2 {
@@ -231,6 +295,8 @@ impl RenderSummary<'_> {
         if let Some(line) = self.until.line(self.ended, self.error()) {
             text += &format!("  {line}\n");
         }
+        text += &self.source_lines();
+        text += &self.robust_lines();
         if stats {
             text += &self.stats(outputs);
         }
@@ -240,11 +306,18 @@ impl RenderSummary<'_> {
         text
     }
 
+    /// Where the error comes from, and what helps, where that was asked.
+    fn source_lines(&self) -> String {
+        let Some(found) = self.sources else { return String::new() };
+        let hint = sources::hint(found, &self.description.render).map(|hint| format!("what helps: {hint}"));
+        sources::lines(found).into_iter().chain(hint).map(|line| format!("  {line}\n")).collect()
+    }
+
     fn stats(&self, outputs: &Outputs) -> String {
         let (report, seconds) = (self.report, self.seconds);
         let mut text = format!(
             "  {}\n  start {:.3} s, and load {:.3} s beside it; extract {:.3} s, compile {:.3} s, build {:.3} s, trace {:.3} s, \
-             estimate {:.3} s, read {:.3} s; total {:.3} s\n  {} rays, {} samples, {} bad\n",
+             estimate {:.3} s, read {:.3} s, sources {:.3} s; total {:.3} s\n  {} rays, {} samples, {} bad\n",
             report.adapter,
             seconds.start,
             seconds.load,
@@ -254,6 +327,7 @@ impl RenderSummary<'_> {
             report.seconds_trace,
             seconds.estimate,
             seconds.read,
+            seconds.sources,
             seconds.total,
             report.rays,
             report.samples,

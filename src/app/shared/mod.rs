@@ -19,6 +19,7 @@ pub mod scene;
 pub(super) mod seconds;
 pub(super) mod settings;
 pub(super) mod shrink;
+pub(super) mod sources;
 pub mod spread;
 pub mod textures;
 pub(super) mod tracer;

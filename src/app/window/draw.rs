@@ -23,15 +23,18 @@ impl Session {
         let name = self.name().to_owned();
         let mark = self.mark();
         let (view, scene_size) = (self.viewpoint.camera, self.scene_size());
-        let Session { screen, engine, overlay, panel, judgement, edits, members, thumbs, selected, .. } = self;
+        let Session { screen, engine, overlay, panel, judgement, edits, members, thumbs, selected, errors, .. } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
                 let family = members.as_ref().map(|members| FamilyContext { members, shown: &name, thumbs });
                 let (camera, selected) = (&view, selected.as_deref());
                 let edits = EditsShown::of(edits, judgement);
-                outcome.add(panel.show(ui, engine, PanelContext { camera, scene_size, family, selected, edits }));
+                let errors = errors.shown();
+                let context = PanelContext { camera, scene_size, family, selected, edits, errors };
+                outcome.add(panel.show(ui, engine, context));
             }
+            errors.draw(ui.ctx(), ui.available_rect_before_wrap(), placement.fit);
             if let Some(mark) = &mark {
                 mark::draw(ui.ctx(), ui.available_rect_before_wrap(), mark);
             }
@@ -45,6 +48,9 @@ impl Session {
         self.activity.redraw = screen.draw(engine, placement, paint)? == Drawn::Later;
         // Else the next step would take the time of drawing for that of its samples.
         self.gpu.wait()?;
+        if let Some(action) = outcome.errors {
+            self.follow_errors_action(action)?;
+        }
         self.follow_panel(outcome);
         // egui says by the longest of times that it wants nothing.
         self.activity.ui_again = begin.checked_add(again).filter(|_| again < Duration::from_secs(3600));

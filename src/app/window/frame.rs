@@ -45,6 +45,7 @@ impl Session {
         if self.activity.working && !self.judgement.has_device() {
             self.step()?;
         }
+        self.follow_errors()?;
         if self.saving && self.tracing.is_whole() {
             self.saving = false;
             self.save()?;

@@ -22,6 +22,7 @@
 //! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
 //! | `beside` | drawing: two pictures with a divider between them |
+//! | `errors`, `surveying` | where the film's error comes from, in the panel and over the picture; finding it out, frame by frame |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
 //! | `save_edits`, `scene_file` | what was changed goes into the scene's file |
 //! | `saves`, `edits` | what was saved meanwhile; the record of it, kept and judged by itself |
@@ -40,6 +41,7 @@ mod display;
 pub mod dock;
 mod draw;
 pub mod edits;
+mod errors;
 mod events;
 mod failures;
 pub mod family;
@@ -71,6 +73,7 @@ mod screen;
 mod selection;
 mod session;
 mod snapshot;
+mod surveying;
 pub mod thumbs;
 pub mod tracing;
 pub mod viewpoint;

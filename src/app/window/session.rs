@@ -12,6 +12,7 @@ use super::activity::Activity;
 use super::cameras;
 use super::controls::Controls;
 use super::edits::Edits;
+use super::errors::Errors;
 use super::failures::Failures;
 use super::family::{Family, Listing};
 use super::judgement::Judgement;
@@ -57,6 +58,8 @@ pub struct Session {
     pub(super) tracing: Tracing,
     pub(super) activity: Activity,
     pub(super) failures: Failures,
+    /// Where the film's error comes from, where that was asked.
+    pub(super) errors: Errors,
     pub(super) textures: TextureNotices,
     /// The film is to be saved once each pixel has a sample.
     pub(super) saving: bool,
@@ -115,6 +118,7 @@ impl Session {
             tracing: Tracing::new(most_pixels, now),
             activity: Activity::new(now),
             failures: Failures::default(),
+            errors: Errors::default(),
             textures: TextureNotices::default(),
             saving: false,
             members: opening.family.as_ref().map(Family::listing),

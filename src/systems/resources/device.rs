@@ -46,6 +46,10 @@ pub struct Frame {
     pub picture: Recording,
 }
 
+/// Beside the film, its samples are summed in blocks: what a robust mean is made of.
+#[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Robust(pub bool);
+
 /// The picture follows the film batch by batch, for a user who watches.
 #[derive(Resource, Default)]
 pub struct Live(pub bool);

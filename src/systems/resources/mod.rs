@@ -4,13 +4,15 @@ mod compiling;
 mod device;
 mod film;
 mod governor;
+mod points;
 mod scene;
 mod textures;
 
 pub use compiling::CompileListener;
-pub use device::{Budget, Device, Frame, Live, Spent, Tree, TreeBuilder, Viewed};
+pub use device::{Budget, Device, Frame, Live, Robust, Spent, Tree, TreeBuilder, Viewed};
 pub use film::{Batch, FilmProgress, Sweep};
 pub use governor::Governor;
+pub use points::point_names;
 pub use scene::{
     Displayed, Endless, Everything, General, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief,
     SceneGeometry, Shot, Sky, SkyCell, SkySource, Target, Texel,

@@ -7,12 +7,12 @@ use bevy_ecs::system::SystemParam;
 
 use super::error::EngineError;
 use super::phase::Phase;
-use super::resources::{Batch, Budget, Device, FilmProgress, Frame, Governor, Live, Shot, Target};
+use super::resources::{Batch, Budget, Device, FilmProgress, Frame, Governor, Live, Robust, Shot, Target};
 use super::run::counted;
 use crate::components::Film;
 use crate::layout::trace::TraceParams;
 use crate::passes::lattice::Lattice;
-use crate::passes::{film, trace};
+use crate::passes::{blocks, film, trace};
 use planner::{Planner, Reused};
 
 /// Memory for the samples of a batch, before the film adds them.
@@ -104,10 +104,14 @@ fn record_batch(
     progress: Single<&FilmProgress, With<Film>>,
     batch: Res<Batch>,
     shot: Res<Shot>,
+    robust: Res<Robust>,
 ) -> Result<(), EngineError> {
     let size = shot.size();
     if progress.is_empty() {
         film::record_reset(&mut frame.trace, size.x * size.y);
+        if robust.0 {
+            blocks::record_reset(&mut frame.trace, size.x * size.y);
+        }
     } else if batch.begins_after_preview(&progress) {
         film::record_recount(&mut frame.trace);
     }

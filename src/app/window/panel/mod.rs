@@ -9,6 +9,7 @@ pub mod curve;
 pub mod debug;
 mod edit_row;
 pub mod edits;
+pub mod errors;
 pub mod lens;
 pub mod lights;
 mod maps;
@@ -38,6 +39,7 @@ use crate::components::Camera;
 use crate::engine::{Engine, EngineError, MeshExtent};
 
 use edits::EditsShown;
+use errors::ErrorsShown;
 pub use outcome::Outcome;
 use readings::Readings;
 
@@ -52,6 +54,8 @@ pub struct PanelContext<'a> {
     pub selected: Option<&'a str>,
     /// What was saved since the window opened.
     pub edits: EditsShown<'a>,
+    /// Where the error comes from.
+    pub errors: ErrorsShown<'a>,
 }
 
 /// The family that the scene is a member of.
@@ -148,7 +152,7 @@ impl Panel {
     }
 
     fn show_sections(&mut self, ui: &mut Ui, engine: &mut Engine, context: PanelContext) -> Outcome {
-        let PanelContext { camera, scene_size, family, selected, edits } = context;
+        let PanelContext { camera, scene_size, family, selected, edits, errors } = context;
         let mut outcome = Outcome::default();
         let selected = selected.and_then(|mesh| Some((mesh, engine.mesh(mesh)?)));
         narrow(ui.spacing_mut());
@@ -158,6 +162,7 @@ impl Panel {
             section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
         }
         section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
+        section(ui, "Error", false, |ui| outcome.errors = errors::show(ui, &errors));
         let maps = engine.edit(materials::most_maps);
         section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref(), maps));
         section(ui, "View", true, |ui| outcome.edited |= view::show(ui, engine, self.readings.debug.as_ref()));

@@ -1,6 +1,7 @@
 //! What a user did in the panel: gathered while it is drawn, followed by the session after that.
 
 use super::edits::EditsAction;
+use super::errors::ErrorsAction;
 use crate::components::Lens;
 
 /// What a user did in the panel.
@@ -22,6 +23,8 @@ pub struct Outcome {
     pub said: Option<String>,
     /// What is wanted of the record of edits.
     pub edits: Option<EditsAction>,
+    /// What is wanted to know of the error.
+    pub errors: Option<ErrorsAction>,
 }
 
 impl Outcome {
@@ -35,5 +38,6 @@ impl Outcome {
         self.save |= later.save;
         self.said = later.said.or(self.said.take());
         self.edits = later.edits.or(self.edits);
+        self.errors = later.errors.or(self.errors);
     }
 }
