@@ -17,10 +17,19 @@ o quiet\nusemtl dim\nf 9 10 11\nf 9 11 12\n";
 const MATERIALS: &str = "newmtl grey\nKd 0.5 0.5 0.5\nnewmtl bright\nKd 0 0 0\nKe 2 2 2\nnewmtl dim\nKd 0 0 0\nKe 1 1 1\nnewmtl glass\nillum 7\nNi 1.5\n";
 
 fn of(more: &str, defines: &[(&str, &str)]) -> ErrorSources {
+    with_lights("", more, defines)
+}
+
+/// The same with lights of the scene's file.
+fn with_lights(lights: &str, more: &str, defines: &[(&str, &str)]) -> ErrorSources {
     let folder = tempfile::tempdir().unwrap();
     let scene = "(models: [(path: \"a.obj\")], cameras: { \"down\": (position: (0, 0.5, 0), look_at: (0, 0, 0), up: (0, 0, 1), fov_y: 1) },
         film: (size: (96, 96)), render: (spp: 32, max_depth: 2, sampler: Pcg))";
-    for (name, text) in [("a.ron", scene), ("a.obj", &format!("{FLOOR}{more}")), ("a.mtl", MATERIALS)] {
+    for (name, text) in [
+        ("a.ron", &scene.replace("film:", &format!("{lights} film:"))),
+        ("a.obj", &format!("{FLOOR}{more}")),
+        ("a.mtl", &MATERIALS.to_owned()),
+    ] {
         std::fs::write(folder.path().join(name), text).unwrap();
     }
     surveyed(&mut open(&load(&folder.path().join("a.ron"), defines))).1
@@ -65,4 +74,20 @@ fn a_lamp_behind_glass_is_found_through_it() {
     let (most, whole) = sources.most.unwrap();
     assert_eq!((most.light.as_str(), most.way, most.bounce), ("a/noisy/0", Way::Found, 3));
     assert!(most.through.as_deref() == Some("a:glass") && whole.share >= share.share);
+}
+
+#[test]
+fn point_lights_have_their_own_names() {
+    // One row of the table each, by name; what does not shine has none.
+    let scene = "lights: { \"a dark\": Point(position: (0, 1, 0), intensity: 0), \"b\": Point(position: (0, 2, 0.2), intensity: 1),
+        \"c\": Point(position: (0, 1, -0.2), intensity: 9) },";
+    let sources = with_lights(scene, "", &[("materials.dim.ke", "(0, 0, 0)"), ("materials.bright.ke", "(0, 0, 0)")]);
+    let [(near, most), (far, least)] = &sources.by_light[..] else { panic!("{:?}", sources.by_light) };
+    // Each sample has one of them, drawn by power: the far one is there where the other, which brings more, is not.
+    assert_eq!((near.as_str(), far.as_str()), ("c", "b"));
+    assert!(
+        most.share > 1.0 && least.share < 0.0 && (most.share + least.share - 1.0).abs() < 1e-9,
+        "{most:?} {least:?}"
+    );
+    assert_eq!(sources.ways[0].0.way, Way::Sampled);
 }
