@@ -57,6 +57,7 @@ mod pictures;
 mod player;
 mod point_lights;
 mod prepare;
+mod probe;
 mod reload;
 mod replay;
 mod reuse;

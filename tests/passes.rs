@@ -13,7 +13,7 @@ use lucerna::layout::view::ViewParams;
 use lucerna::passes::lattice::Lattice;
 use lucerna::passes::table::TABLE;
 use lucerna::passes::tree::PLAN;
-use lucerna::passes::{Makes, Recording, Twin, debug, film, trace, view};
+use lucerna::passes::{Makes, Recording, Twin, debug, film, probe, trace, view};
 use lucerna::shader::{Features, Library, Linked};
 use naga::valid::GlobalUse;
 
@@ -103,14 +103,19 @@ fn recordings(purpose: Makes) -> Vec<Recording> {
         }
         Makes::Picture => {
             let trace_params = TraceParams { window_width: 1, window_height: 1, ..TraceParams::default() };
-            vec![record(&|recording| {
+            let probed = record(&|recording| {
+                probe::record(recording, &trace_params);
+                probe::record_colours(recording, &probe::ProbeLook::default().colours(1));
+            });
+            let others = record(&|recording| {
                 film::record_display(
                     recording,
                     &film::display_params(UVec2::ONE, Lattice::default(), 0, film::Look::default()),
                 );
                 view::record(recording, &ViewParams { trace_params, ..ViewParams::default() });
                 debug::record(recording, &TraceParams { layers: 1, ..trace_params });
-            })]
+            });
+            vec![probed, others]
         }
     }
 }

@@ -28,8 +28,10 @@ mod own;
 mod pace;
 mod panel;
 mod parameters;
+mod paths;
 #[cfg(target_os = "linux")]
 mod person;
+mod probes;
 mod record;
 #[cfg(target_os = "linux")]
 mod room;

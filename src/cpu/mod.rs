@@ -17,6 +17,7 @@ pub mod observe;
 pub mod path;
 pub mod pcg4d;
 pub mod point;
+pub mod probe;
 pub mod replay;
 pub mod reuse;
 pub mod rng;

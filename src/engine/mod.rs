@@ -4,11 +4,14 @@ mod debug;
 mod film;
 mod inspect;
 mod mesh;
+mod paths;
+mod probe;
 mod read;
 mod replay;
 mod report;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -17,22 +20,23 @@ use glam::{DVec3, UVec2, Vec4};
 
 pub use crate::cpu::film_error::FilmError;
 pub use crate::systems::EngineError;
-pub use crate::systems::resources::{Spent, TextureUse, TreeBuilder};
+pub use crate::systems::resources::{Probing, Spent, TextureUse, TreeBuilder};
 pub use debug::DebugRange;
 pub use film::FilmImage;
 pub use inspect::{Inspected, LookedUp, Seen};
 pub use mesh::MeshExtent;
-pub use replay::{Replay, TrianglePlace};
+pub use paths::TracedPath;
+pub use replay::{ProbedNumber, ProbedValue, Replay, TrianglePlace};
 pub use report::Report;
 
 use crate::components::{self, Camera, Film, Render};
 use crate::gpu::{Code, Drawn, Gpu, Paint, Placement, Runtime, Surface};
 use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription, SceneText};
-use crate::shader::{Library, Parameter};
+use crate::shader::{Library, Parameter, Probe};
 use crate::systems::resources::{
-    Budget, CompileListener, Device, Endless, FilmProgress, Frame, General, Live, MaterialSlot, SceneGeometry, Shot,
-    Sky, SkySource, Target, Textures, Viewed,
+    Budget, CompileListener, Device, Endless, FilmProgress, Frame, General, Live, MaterialSlot, ProbeChosen,
+    SceneGeometry, Shot, Sky, SkySource, Target, Textures, Viewed,
 };
 use crate::systems::{self, Fault, Reload};
 use crate::watch::{Problem, ReloadEvent, Sources, WatchError};
@@ -221,6 +225,17 @@ impl Engine {
         replay::replay_samples(&mut self.world, samples)
     }
 
+    /// Film samples of a pixel of the whole film, traced again by the kernel alone: sooner than [`replay_all`](Self::replay_all), which also asks the twin.
+    /// Nothing if there is no such pixel, or no step has built the tree yet.
+    pub fn trace_paths(&mut self, pixel: UVec2, samples: Range<u32>) -> Result<Vec<TracedPath>, EngineError> {
+        paths::trace_paths(&mut self.world, pixel, samples)
+    }
+
+    /// Of each point, world space, whether something hides it from the camera.
+    pub fn hidden(&mut self, points: &[DVec3]) -> Result<Vec<bool>, EngineError> {
+        paths::hidden(&mut self.world, points)
+    }
+
     /// What is known of the mesh of a name, as it was last extracted; none if there is no such mesh.
     pub fn mesh(&self, name: &str) -> Option<MeshExtent> {
         mesh::extent(&self.world, name)
@@ -275,6 +290,33 @@ impl Engine {
     /// unless that is what the picture shows.
     pub fn debug_colours(&self) -> Result<Option<Vec<Vec4>>, EngineError> {
         debug::read_debug(&self.world)
+    }
+
+    /// All names that shaders show numbers by (`probe("name", value)`), in order.
+    pub fn probes(&self) -> Arc<[Probe]> {
+        self.world.resource::<Device>().0.probes().clone()
+    }
+
+    /// Chooses the name that view "probe" shows, and how it is looked at, from the next step on; or none. Another one compiles nothing.
+    pub fn set_probe(&mut self, probing: Option<Probing>) {
+        probe::choose(&mut self.world, probing);
+    }
+
+    /// The name that is chosen.
+    pub fn probing(&self) -> Option<&Probing> {
+        self.world.resource::<ProbeChosen>().0.as_ref()
+    }
+
+    /// The numbers of the chosen name, row by row from the top, with 1 + its type behind each, and all 0 where there is none; none unless that is what
+    /// the picture shows.
+    pub fn probe_values(&self) -> Result<Option<Vec<Vec4>>, EngineError> {
+        probe::read_values(&self.world)
+    }
+
+    /// The same of the first sample of one pixel of the picture, by bounce; none where no name is chosen that code has, or there is no such pixel,
+    /// or no step has built the tree yet.
+    pub fn probe_pixel(&mut self, pixel: UVec2) -> Result<Option<Vec<Vec4>>, EngineError> {
+        probe::of_pixel(&mut self.world, pixel)
     }
 
     /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.

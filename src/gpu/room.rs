@@ -34,7 +34,7 @@ fn growth(name: &str) -> Option<(Grows, usize)> {
         "gather_materials" => (Grows::Film, size_of::<MaterialRecord>()),
         "radiance" => (Grows::Film, size_of::<RadianceSample>()),
         "picture" => (Grows::Film, 4),
-        "debug_colours" => (Grows::Film, size_of::<glam::Vec4>()),
+        "debug_colours" | "probe_values" => (Grows::Film, size_of::<glam::Vec4>()),
         "triangles" => (Grows::Triangles, size_of::<Triangle>()),
         "shading" => (Grows::Triangles, size_of::<Shading>()),
         "lights" => (Grows::Lights, size_of::<LightRecord>()),

@@ -11,7 +11,7 @@ use super::timing::Timer;
 use super::{Buffers, Gpu, GpuError, PassTiming};
 use crate::parallel;
 use crate::passes::{Pass, Recording};
-use crate::shader::{ErrorKind, Features, LOOP_FAULTS, Library, Parameter, ShaderError};
+use crate::shader::{ErrorKind, Features, LOOP_FAULTS, Library, Parameter, Probe, ShaderError};
 
 /// Runs recordings on one device.
 pub struct Runtime {
@@ -55,6 +55,11 @@ impl Runtime {
     /// All parameters that the library declares, by name.
     pub fn parameters(&self) -> &Arc<[Parameter]> {
         self.pipelines.parameters()
+    }
+
+    /// All names that the library shows numbers by, in order: the place of one is its number.
+    pub fn probes(&self) -> &Arc<[Probe]> {
+        self.pipelines.probes()
     }
 
     /// What parameters are set to.

@@ -10,6 +10,7 @@ pub mod clear;
 pub mod film;
 pub mod light;
 pub mod lint;
+pub mod probe;
 pub mod ray;
 pub mod replay;
 pub mod sky;
@@ -67,6 +68,9 @@ pub static ALL: &[&StructLayout] = &[
     &lint::LintParams::LAYOUT,
     &replay::PathTurn::LAYOUT,
     &replay::Replayed::LAYOUT,
+    &probe::Probed::LAYOUT,
+    &probe::ProbeChoice::LAYOUT,
+    &probe::ProbeColours::LAYOUT,
 ];
 
 /// Every struct that WGSL may read by vectors of four words: what unpacks them is imported from `package::gen` as well.
@@ -88,6 +92,7 @@ pub static VECTORS: &[Vectors] = &[
 pub static CONSTS: &[&[GpuConst]] = &[
     alias::CONSTS,
     tree::CONSTS,
+    probe::CONSTS,
     ray::CONSTS,
     replay::CONSTS,
     trace::CONSTS,

@@ -11,6 +11,7 @@ pub mod film;
 pub mod lattice;
 pub mod lint;
 mod pass;
+pub mod probe;
 mod recording;
 pub mod replay;
 pub mod sort;

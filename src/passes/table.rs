@@ -1,6 +1,6 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, debug, extend, film, lint, replay, sort, trace, tree, view};
+use super::{CLEAR, Pass, debug, extend, film, lint, probe, replay, sort, trace, tree, view};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &joined::<{ count(STAGES) }>(STAGES);
@@ -26,6 +26,8 @@ const STAGES: &[&[&Pass]] = &[
         &film::DISPLAY,
         &view::VIEW,
         &debug::DEBUG,
+        &probe::PROBE,
+        &probe::PROBE_COLOURS,
         &replay::REPLAY,
         &lint::LINT,
     ],

@@ -13,7 +13,7 @@ use crate::layout::trace::{
 use crate::layout::tree::FEW_TRIANGLES;
 
 /// What tracing a path reads, whatever becomes of it.
-pub const TRACED: [Binding; 19] = Binding::list::<19>(&[
+pub const TRACED: [Binding; 20] = Binding::list::<20>(&[
     &[
         Binding::read("nodes", "array<vec4<u32>>"),
         Binding::read("leaves", "array<vec4<u32>>"),
@@ -35,6 +35,7 @@ pub const TRACED: [Binding; 19] = Binding::list::<19>(&[
         Binding::write("lent_points", "array<LentPoint>").when(&["reuse"]),
         Binding::write("gather_materials", "array<MaterialRecord>").when(&["textures"]).and(&["reuse"]),
         Binding::write("turns", "array<PathTurn>").when(&["record"]),
+        Binding::write("probed", "array<Probed>").when(&["record"]),
     ],
 ]);
 
@@ -44,7 +45,7 @@ pub static PATH: Pass = Pass {
     module: "passes/trace/path",
     entry: "path",
     features: &[],
-    bindings: &Binding::list::<20>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
+    bindings: &Binding::list::<21>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
     makes: &[Makes::Film],
     twin: twin!(path::PathScene::sample),
 };

@@ -31,7 +31,7 @@ use crate::components::Film;
 use phase::Phase;
 use resources::{
     Batch, CompileListener, Displayed, Endless, Everything, FilmProgress, Frame, General, Governor, LightDensity, Live,
-    Policy, Relief, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tree, Viewed,
+    Policy, ProbeChosen, Relief, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tree, Viewed,
 };
 
 /// The one schedule.
@@ -92,5 +92,6 @@ pub fn insert_resources(world: &mut World) {
     world.init_resource::<Spent>();
     world.init_resource::<Live>();
     world.init_resource::<Viewed>();
+    world.init_resource::<ProbeChosen>();
     world.init_resource::<Governor>();
 }

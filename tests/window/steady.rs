@@ -19,8 +19,8 @@ use lucerna::shader::Library;
 use super::maps::description;
 use crate::support;
 
-const SECTIONS: [&str; 9] =
-    ["Edits", "Progress", "Pixel", "View", "Camera", "Settings", "Lights", "Materials", "Passes"];
+const SECTIONS: [&str; 10] =
+    ["Edits", "Progress", "Pixel", "Paths", "View", "Camera", "Settings", "Lights", "Materials", "Passes"];
 
 /// Something that was saved.
 fn saved(kind: Kind) -> Edit {
@@ -66,7 +66,11 @@ impl Drawn {
             let show = |ui: &mut egui::Ui| {
                 let edits = EditsShown { record, automatic: true, rests: false };
                 let (camera, scene_size) = (&camera, 1.0);
-                panel.show(ui, engine, PanelContext { camera, scene_size, family: None, selected: None, edits });
+                panel.show(
+                    ui,
+                    engine,
+                    PanelContext { camera, scene_size, family: None, selected: None, paths: None, edits },
+                );
             };
             shapes = self.context.run_ui(input, show).shapes;
         }

@@ -31,6 +31,7 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 @if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
+@if(probe_view || record) import package::lib::probe::{probe_bounce};
 @if(record) import package::lib::record::{turn};
 import package::passes::trace::materials::{load_material};
 @if(record) import package::passes::trace::record::{begin_turn, end_turn, note_drawn, note_surface};
@@ -334,6 +335,7 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
             most += params.max_depth * params.max_depth / 2u;
         }
         for (var i = 0u; i < most; i++) {
+            @if(probe_view || record) probe_bounce = select(state.bounce, probe_bounce, is_shadow_ray);
             let hit = extend(&state, ray, extent, select(0.0, connection.enough, is_shadow_ray));
             @if(record) begin_turn(state, ray, hit, is_shadow_ray);
             if (is_shadow_ray) {
@@ -364,6 +366,7 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
     }
     @if(!lights && !sky_light) {
         for (var segment = 0u; segment < params.max_depth; segment++) {
+            @if(probe_view || record) probe_bounce = state.bounce;
             let hit = extend(&state, segment_ray(state), extent, 0.0);
             @if(record) begin_turn(state, segment_ray(state), hit, false);
             let alive = shade(&state, hit, @if(reuse) place).alive;

@@ -18,6 +18,7 @@
 //! | `dock` | pure: what the window gives to the picture, and what to the panel |
 //! | `placement` | where the picture lies, the size of its film, the pixel under the pointer |
 //! | `selection`, `mark`, `outline` | the mesh that was clicked; its mark over the picture; pure: the edges of its box as the camera sees them |
+//! | `path_tracing`, `paths`, `brightest` | the brightest paths of a pixel: asked for and taken away; over the picture; pure: which they are, and their lines |
 //! | `legend` | what the colours of a view mean; drawn in the panel, and over the picture where that is closed |
 //! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
@@ -34,6 +35,7 @@ pub mod alike;
 mod application;
 mod arguments;
 pub mod beside;
+pub mod brightest;
 mod cameras;
 mod controls;
 mod display;
@@ -61,6 +63,8 @@ mod overlay;
 pub mod pace;
 pub mod pair;
 pub mod panel;
+mod path_tracing;
+mod paths;
 mod placement;
 mod reason;
 mod repeat;

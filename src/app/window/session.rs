@@ -20,6 +20,7 @@ use super::opening::Opening;
 use super::overlay::Overlay;
 use super::pair::Pair;
 use super::panel::Panel;
+use super::paths::Paths;
 use super::repeat::Shown;
 use super::scene_file::Kept;
 use super::screen::Screen;
@@ -52,6 +53,8 @@ pub struct Session {
     pub(super) magnifier: Magnifier,
     /// The name of the mesh that was clicked.
     pub(super) selected: Option<String>,
+    /// The brightest paths of a pixel, over the picture.
+    pub(super) paths: Paths,
     /// The pixel of the picture that is looked at.
     pub(super) pixel: Option<UVec2>,
     pub(super) tracing: Tracing,
@@ -111,6 +114,7 @@ impl Session {
             viewpoint: Viewpoint::new(view, opening.opened.description.cameras.clone()),
             magnifier: Magnifier::default(),
             selected: None,
+            paths: Paths::default(),
             pixel: None,
             tracing: Tracing::new(most_pixels, now),
             activity: Activity::new(now),

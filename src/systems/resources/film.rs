@@ -24,6 +24,8 @@ pub struct FilmProgress {
     pub rests: bool,
     /// What the picture shows of this very film and scene; none while it shows what was before.
     pub shown: Option<ViewMode>,
+    /// What the numbers of view "probe" were last asked for, if they are of this very film and scene: name, bounce and part.
+    pub probed: Option<[u32; 3]>,
 }
 
 /// Pixels that get a sample one after the other.
@@ -50,6 +52,17 @@ impl FilmProgress {
     /// A view of the tree, if it is that which is shown, is of an older one from now on.
     pub fn outdate_views(&mut self) {
         self.shown = self.shown.filter(|mode| *mode == ViewMode::Beauty);
+        self.probed = None;
+    }
+
+    /// View "probe", if it is that which is shown, is to be shown otherwise from now on.
+    pub fn outdate_probe(&mut self) {
+        self.shown = self.shown.filter(|mode| *mode != ViewMode::Probe);
+    }
+
+    /// Whatever is shown was made by other code.
+    pub fn outdate_all(&mut self) {
+        (self.shown, self.probed) = (None, None);
     }
 
     /// No pixel has a sample.

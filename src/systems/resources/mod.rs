@@ -8,7 +8,7 @@ mod scene;
 mod textures;
 
 pub use compiling::CompileListener;
-pub use device::{Budget, Device, Frame, Live, Spent, Tree, TreeBuilder, Viewed};
+pub use device::{Budget, Device, Frame, Live, ProbeChosen, Probing, Spent, Tree, TreeBuilder, Viewed};
 pub use film::{Batch, FilmProgress, Sweep};
 pub use governor::Governor;
 pub use scene::{

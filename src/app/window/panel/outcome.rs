@@ -18,6 +18,8 @@ pub struct Outcome {
     pub member: Option<String>,
     /// The scene's file is to have what was changed.
     pub save: bool,
+    /// The brightest paths of the pixel are to be shown, or taken away.
+    pub paths: bool,
     /// What there is to tell: something was copied.
     pub said: Option<String>,
     /// What is wanted of the record of edits.
@@ -33,6 +35,7 @@ impl Outcome {
         self.lens = later.lens.or(self.lens.take());
         self.member = later.member.or(self.member.take());
         self.save |= later.save;
+        self.paths |= later.paths;
         self.said = later.said.or(self.said.take());
         self.edits = later.edits.or(self.edits);
     }
