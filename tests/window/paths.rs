@@ -199,7 +199,7 @@ fn an_edit_of_the_scene_takes_paths_away() {
     person.see("the paths before an edit", |look| yellow(look) > 40);
     let scene = person.folder.path().join("cornell-box.mtl");
     let text = std::fs::read_to_string(&scene).unwrap();
-    let edited = text.replacen("Kd ", "Kd 0.5 0.5 0.5\n# ", 1);
+    let edited = text.replacen("\nKd ", "\nKd 0.5 0.5 0.5\n# ", 1);
     assert!(edited != text);
     std::fs::write(&scene, edited).unwrap();
     person.see("no paths after the edit", |look| yellow(look) == 0);
