@@ -1,5 +1,6 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
+mod adaptive;
 mod alias;
 mod alone;
 mod animate;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use glam::UVec2;
 use lucerna::gpu::checked_entry;
+use lucerna::layout::adaptive::TallyParams;
 use lucerna::layout::sort::{SORT_FEW_TILES, SORT_TILE};
 use lucerna::layout::trace::TraceParams;
 use lucerna::layout::tree::Triangle;
@@ -13,7 +14,7 @@ use lucerna::layout::view::ViewParams;
 use lucerna::passes::lattice::Lattice;
 use lucerna::passes::table::TABLE;
 use lucerna::passes::tree::PLAN;
-use lucerna::passes::{Makes, Recording, Twin, debug, film, trace, view};
+use lucerna::passes::{Makes, Recording, Twin, adaptive, debug, film, trace, view};
 use lucerna::shader::{Features, Library, Linked};
 use naga::valid::GlobalUse;
 
@@ -99,6 +100,7 @@ fn recordings(purpose: Makes) -> Vec<Recording> {
                 film::record_reset(recording, 1);
                 trace::record_reused(recording, &params, 1, false);
                 film::record_accumulate(recording, &film::accumulate_params(&params, 0, &params));
+                adaptive::record_tally(recording, &TallyParams { runs: 1, ..TallyParams::default() });
             })]
         }
         Makes::Picture => {

@@ -18,7 +18,14 @@ pub fn display(film: &[FilmPixel], params: &DisplayParams) -> Vec<u32> {
 
 fn word(pixel: &FilmPixel, params: &DisplayParams) -> u32 {
     let [even, odd] = &pixel.halves;
-    let codes = codes(linear(&[even, odd], params.scale), params.tone);
+    let linear = match params.by_halves != 0 && even.count > 0 && odd.count > 0 {
+        true => {
+            let [even, odd] = [even, odd].map(|half| linear(&[half], params.scale));
+            [0, 1, 2].map(|c| 0.5 * (even[c] + odd[c]))
+        }
+        false => linear(&[even, odd], params.scale),
+    };
+    let codes = codes(linear, params.tone);
     (0..3).fold(0xff00_0000, |word, c| word | ((codes[c] + 0.5).floor() as u32) << (8 * c))
 }
 

@@ -1,6 +1,7 @@
 //! The twin of every pass on the CPU, by the same names; f64 where rounding would hide a mistake.
 
 pub mod alias;
+pub mod allocation;
 pub mod bounds;
 pub mod bsdf;
 pub mod camera;
@@ -27,6 +28,7 @@ pub mod sky;
 pub mod sort;
 pub mod sun;
 mod surface;
+pub mod tally;
 pub mod texture;
 pub mod textured;
 pub mod tone;

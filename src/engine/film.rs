@@ -5,8 +5,8 @@ use glam::UVec2;
 
 use crate::components::Crop;
 use crate::cpu::display;
-use crate::cpu::film::{film_mean, half_mean, pixel_mean};
-use crate::cpu::film_error::{FilmError, Place, film_error};
+use crate::cpu::film::{half_mean, joined_film_mean, joined_mean};
+use crate::cpu::film_error::{FilmError, Place, joined_film_error};
 use crate::layout::film::FilmPixel;
 use crate::layout::trace::TraceParams;
 use crate::layout::view::ViewMode;
@@ -31,7 +31,7 @@ pub struct FilmImage {
     pub pixels: Vec<FilmPixel>,
     /// As shown: exposed, sRGB, opaque.
     pub picture: Vec<[u8; 4]>,
-    /// Samples that every pixel has.
+    /// Samples that every pixel has; of an adaptive film, on average.
     pub spp: u32,
     /// Mean over all pixels.
     pub mean: [f64; 3],
@@ -53,7 +53,7 @@ pub fn read_picture(world: &World) -> Result<Option<Vec<[u8; 4]>>, EngineError> 
 pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
     let before = progress(world);
     let (shot, look) = (world.resource::<Shot>(), world.resource::<Displayed>().0);
-    let (shot, exponent) = (shot.params, shot.exponent);
+    let (whole, shot, exponent, joined) = (shot.clone(), shot.params, shot.exponent, shot.joined());
     let size = UVec2::new(shot.film_width, shot.film_height);
     let min = UVec2::new(shot.window_x, shot.window_y);
     let window = Crop { min, max: min + UVec2::new(shot.window_width, shot.window_height) };
@@ -71,8 +71,7 @@ pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
         film::record_reset(&mut recording, count);
     }
     if is_viewed || before.shown != Some(ViewMode::Beauty) || !before.begun {
-        let extent = UVec2::new(shot.window_width, shot.window_height);
-        let params = film::display_params(extent, before.shows().unwrap_or_default(), exponent, look);
+        let params = whole.display_params(before.shows().unwrap_or_default(), look);
         film::record_display(&mut recording, &params).bind("picture", held);
     }
     device.play(&recording)?;
@@ -86,11 +85,11 @@ pub fn read_film(world: &mut World) -> Result<FilmImage, EngineError> {
     Ok(FilmImage {
         size,
         window,
-        rgb: of_each(&pixels, |pixel| pixel_mean(pixel, exponent).0),
+        rgb: of_each(&pixels, |pixel| joined_mean(pixel, exponent, joined).0),
         halves: [half(0), half(1)],
         spp: before.samples,
-        mean: film_mean(&pixels, exponent),
-        error: film_error(&pixels, place(&shot), exponent),
+        mean: joined_film_mean(&pixels, exponent, joined),
+        error: joined_film_error(&pixels, place(&shot), exponent, joined),
         picture,
         pixels,
     })
@@ -112,12 +111,12 @@ fn of_each(pixels: &[FilmPixel], colour: impl Fn(&FilmPixel) -> [f64; 3] + Sync)
 /// The film's estimated relMSE; 0 where no pixel has two samples. Sooner known than the whole film is read.
 pub fn read_error(world: &World) -> Result<FilmError, EngineError> {
     let shot = world.resource::<Shot>();
-    let (size, exponent) = (shot.size(), shot.exponent);
+    let (size, exponent, joined) = (shot.size(), shot.exponent, shot.joined());
     match (size.min_element(), progress(world).begun) {
         (0, _) => Err(EngineError::EmptyFilm),
         (_, false) => Ok(FilmError::default()),
         (_, true) => {
-            let error = |film: &[FilmPixel]| film_error(film, place(&shot.params), exponent);
+            let error = |film: &[FilmPixel]| joined_film_error(film, place(&shot.params), exponent, joined);
             Ok(world.resource::<Device>().0.look_at("film", (size.x * size.y) as usize, error)?)
         }
     }
@@ -135,7 +134,7 @@ pub fn picture_error(world: &World) -> Result<f64, EngineError> {
     if size.min_element() == 0 || !progress(world).begun {
         return Err(EngineError::EmptyFilm);
     }
-    let params = film::display_params(size, Lattice::default(), shot.exponent, look);
+    let params = shot.display_params(Lattice::default(), look);
     let error = |film: &[FilmPixel]| display::error(film, &params);
     Ok(world.resource::<Device>().0.look_at("film", (size.x * size.y) as usize, error)?)
 }
@@ -143,12 +142,12 @@ pub fn picture_error(world: &World) -> Result<f64, EngineError> {
 /// Reads the film's mean radiance alone; black where nothing was traced.
 pub fn read_radiance(world: &World) -> Result<Vec<[f32; 3]>, EngineError> {
     let shot = world.resource::<Shot>();
-    let (count, exponent) = ((shot.size().x * shot.size().y) as usize, shot.exponent);
+    let (count, exponent, joined) = ((shot.size().x * shot.size().y) as usize, shot.exponent, shot.joined());
     match (count, progress(world).begun) {
         (0, _) => Err(EngineError::EmptyFilm),
         (_, false) => Ok(vec![[0.0; 3]; count]),
         (_, true) => {
-            let means = |film: &[FilmPixel]| of_each(film, |pixel| pixel_mean(pixel, exponent).0);
+            let means = |film: &[FilmPixel]| of_each(film, |pixel| joined_mean(pixel, exponent, joined).0);
             Ok(world.resource::<Device>().0.look_at("film", count, means)?)
         }
     }

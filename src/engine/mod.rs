@@ -17,7 +17,7 @@ use glam::{DVec3, UVec2, Vec4};
 
 pub use crate::cpu::film_error::FilmError;
 pub use crate::systems::EngineError;
-pub use crate::systems::resources::{Spent, TextureUse, TreeBuilder};
+pub use crate::systems::resources::{Spent, TextureUse, TileCounts, TreeBuilder};
 pub use debug::DebugRange;
 pub use film::FilmImage;
 pub use inspect::{Inspected, LookedUp, Seen};

@@ -10,7 +10,7 @@ use crate::layout::film::{BAD_LOG, BadSample, FilmCounters};
 use crate::layout::sort::SortPlan;
 use crate::layout::tree::{Triangle, node_count};
 use crate::passes::sort::SORT_PLAN;
-use crate::systems::resources::{Device, Shot, Spent, Textures};
+use crate::systems::resources::{Device, Shot, Spent, Textures, TileCounts, Tiles};
 use crate::systems::{EngineError, Entered};
 
 /// What the engine did since it opened.
@@ -25,6 +25,8 @@ pub struct Report {
     pub texture_bytes: u64,
     /// Samples of the film, over all pixels.
     pub samples: u64,
+    /// By how much tiles differ in samples; none where all pixels have the same number.
+    pub tiles: Option<TileCounts>,
     /// Rays of those samples, counted on the GPU.
     pub rays: u64,
     /// Seconds of taking up the scene: entities to arrays, and sending those.
@@ -60,6 +62,7 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
     let textures = (uses.len() as u32, uses.iter().map(|used| used.bytes).sum());
     let shot = world.resource::<Shot>();
     let (window, features) = (shot.size(), shot.features.clone());
+    let tiles = world.resource::<Tiles>().counts();
     let device = &mut world.resource_mut::<Device>().0;
     let counters = match progress.begun {
         true => device.read_some::<FilmCounters>("counters", 1)?[0],
@@ -73,6 +76,7 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         textures: textures.0,
         texture_bytes: textures.1,
         samples: progress.traced(window),
+        tiles: tiles.filter(|_| progress.by_tiles > 0),
         rays: u64::from(counters.rays_hi.0) << 32 | u64::from(counters.rays_lo.0),
         seconds_extract: (spent.steps - spent.compile - spent.build - spent.trace - spent.picture).max(0.0),
         seconds_compile: spent.compile,

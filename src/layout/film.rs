@@ -79,6 +79,8 @@ gpu_struct! {
         pub radiance_layer: u32,
         /// 1: what pixels had so far is dropped.
         pub replaces: u32,
+        /// Tiles that `tile_runs` says the samples of; 0: the batch is layers of a rectangle. Of adaptive films alone.
+        pub runs: u32,
     }
 
     /// Parameters of the display pass.
@@ -95,6 +97,8 @@ gpu_struct! {
         pub scale: f32,
         /// A `TONE_` curve.
         pub tone: u32,
+        /// 1: each half of a pixel counts alike, however many samples it has. So it is in adaptive films alone.
+        pub by_halves: u32,
     }
 }
 

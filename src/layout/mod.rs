@@ -5,6 +5,7 @@
 
 #[macro_use]
 mod macros;
+pub mod adaptive;
 pub mod alias;
 pub mod clear;
 pub mod film;
@@ -57,6 +58,13 @@ pub static ALL: &[&StructLayout] = &[
     &film::FilmCounters::LAYOUT,
     &film::AccumulateParams::LAYOUT,
     &film::DisplayParams::LAYOUT,
+    &adaptive::TileSample::LAYOUT,
+    &adaptive::TileRun::LAYOUT,
+    &adaptive::HalfMark::LAYOUT,
+    &adaptive::PixelMark::LAYOUT,
+    &adaptive::TallyRun::LAYOUT,
+    &adaptive::TileTally::LAYOUT,
+    &adaptive::TallyParams::LAYOUT,
     &sort::SortParams::LAYOUT,
     &sort::SortDigit::LAYOUT,
     &sort::SortPlan::LAYOUT,
@@ -86,6 +94,7 @@ pub static VECTORS: &[Vectors] = &[
 
 /// Every constant that WGSL can import from `package::gen`, module by module.
 pub static CONSTS: &[&[GpuConst]] = &[
+    adaptive::CONSTS,
     alias::CONSTS,
     tree::CONSTS,
     ray::CONSTS,

@@ -3,6 +3,7 @@
 //! A pass is one row: a name, a WGSL entry point and its bindings by name. A stage's file holds its rows, the buffers they
 //! need, and the functions that record them. [`table::TABLE`] lists every row.
 
+pub mod adaptive;
 mod clear;
 pub mod debug;
 pub mod extend;

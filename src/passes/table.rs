@@ -1,6 +1,6 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, debug, extend, film, lint, replay, sort, trace, tree, view};
+use super::{CLEAR, Pass, adaptive, debug, extend, film, lint, replay, sort, trace, tree, view};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &joined::<{ count(STAGES) }>(STAGES);
@@ -23,6 +23,7 @@ const STAGES: &[&[&Pass]] = &[
         &trace::PATH,
         &trace::GATHER,
         &film::ACCUMULATE,
+        &adaptive::TALLY,
         &film::DISPLAY,
         &view::VIEW,
         &debug::DEBUG,

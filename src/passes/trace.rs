@@ -38,13 +38,16 @@ pub const TRACED: [Binding; 19] = Binding::list::<19>(&[
     ],
 ]);
 
+/// What a batch of tiles traces.
+const TILE_SAMPLES: Binding = Binding::read("tile_samples", "array<TileSample>").when(&["adaptive"]);
+
 /// Integrators `Path` and `Bsdf`: with and without light sampling, but for point lights.
 pub static PATH: Pass = Pass {
     name: "path",
     module: "passes/trace/path",
     entry: "path",
     features: &[],
-    bindings: &Binding::list::<20>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
+    bindings: &Binding::list::<21>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>"), TILE_SAMPLES]]),
     makes: &[Makes::Film],
     twin: twin!(path::PathScene::sample),
 };
@@ -55,7 +58,7 @@ pub static GATHER: Pass = Pass {
     module: "passes/trace/gather",
     entry: "gather",
     features: &[],
-    bindings: &Binding::list::<11>(&[
+    bindings: &Binding::list::<12>(&[
         &[
             Binding::read("nodes", "array<vec4<u32>>"),
             Binding::read("leaves", "array<vec4<u32>>"),
@@ -64,6 +67,7 @@ pub static GATHER: Pass = Pass {
             Binding::write("radiance", "array<RadianceSample>"),
             Binding::read("gather_points", "array<vec4<u32>>"),
             Binding::read("lent_points", "array<vec4<u32>>"),
+            TILE_SAMPLES,
         ],
         &texture_bindings(&["cutout"]),
     ]),
@@ -147,6 +151,8 @@ pub struct Needs<'a> {
     pub normals: bool,
     /// Russian roulette.
     pub roulette: bool,
+    /// Tiles get as many samples as they need.
+    pub adaptive: bool,
     /// Paths are reused within tiles.
     pub reuse: bool,
     /// Stratified random numbers instead of independent ones.
@@ -160,6 +166,7 @@ impl Needs<'_> {
         let mapped = |test: fn(&MaterialMaps) -> bool| self.maps.iter().any(test);
         let flagged = |flag: u32| self.materials.iter().any(|m| m.flags & flag != 0);
         let wanted = [
+            ("adaptive", self.adaptive),
             ("alpha", any(|m| m.transparency > 0.0)),
             ("coat", any(|m| m.coat > 0.0)),
             ("cutout", mapped(|m| m.opacity != 0)),

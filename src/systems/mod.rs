@@ -31,7 +31,7 @@ use crate::components::Film;
 use phase::Phase;
 use resources::{
     Batch, CompileListener, Displayed, Endless, Everything, FilmProgress, Frame, General, Governor, LightDensity, Live,
-    Policy, Relief, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tree, Viewed,
+    Policy, Relief, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tiles, Tree, Viewed,
 };
 
 /// The one schedule.
@@ -88,6 +88,7 @@ pub fn insert_resources(world: &mut World) {
     world.init_resource::<Target>();
     world.init_resource::<Tree>();
     world.init_resource::<Batch>();
+    world.init_resource::<Tiles>();
     world.init_resource::<Frame>();
     world.init_resource::<Spent>();
     world.init_resource::<Live>();

@@ -66,7 +66,7 @@ fn record_picture(
     displayed: Res<Displayed>,
 ) {
     let shown = progress.shows().unwrap_or_default();
-    film::record_display(&mut frame.picture, &film::display_params(shot.size(), shown, shot.exponent, displayed.0));
+    film::record_display(&mut frame.picture, &shot.display_params(shown, displayed.0));
     progress.shown = Some(ViewMode::Beauty);
 }
 

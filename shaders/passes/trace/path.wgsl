@@ -11,6 +11,7 @@ import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
 @if(dielectric && roulette) import package::gen::{MATERIAL_DIELECTRIC};
 @if(dielectric && roulette) import package::lib::bsdf::dielectric::{eta_squared, interface_of};
 @if(lights || sky_light) import package::gen::{SLOT_LIGHT_POINT};
+@if(adaptive) import package::gen::{TileSample, TILE_LANES};
 import package::lib::bsdf::mixture::{mixture_sample};
 @if(alpha || thin) import package::lib::bsdf::straight::{is_straight};
 @if(lens) import package::gen::{LENS_DIMENSIONS};
@@ -32,6 +33,7 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 @if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
 @if(record) import package::lib::record::{turn};
+@if(adaptive) import package::lib::tiles::{place_in_tile, tile_corner};
 import package::passes::trace::materials::{load_material};
 @if(record) import package::passes::trace::record::{begin_turn, end_turn, note_drawn, note_surface};
 import package::passes::trace::scene::{load_leaf, scene_extent};
@@ -49,6 +51,7 @@ import package::passes::trace::traverse_few::{traverse_few};
 
 @group(0) @binding(2) var<storage, read> params: TraceParams;
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
+@if(adaptive) @group(0) @binding(24) var<storage, read> tile_samples: array<TileSample>;
 
 const LARGEST_F32: f32 = 0x1.fffffep+127;
 
@@ -386,14 +389,58 @@ fn prepare_workgroup(lane: u32, lanes: u32) {
     }
 }
 
-@compute @workgroup_size(8, 8)
-fn path(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    prepare_workgroup(lane, 64u);
-    if (id.x >= params.window_width || id.y >= params.window_height || id.z >= params.layers) {
-        return;
-    }
+// What an invocation traces.
+struct Task {
+    // Of the whole film.
+    pixel: vec2<u32>,
+    // Of the film.
+    sample: u32,
+    // Where it is in the batch.
+    place: u32,
+    exists: bool,
+}
+
+// Of a batch of layers of a rectangle.
+fn task_of(id: vec3<u32>) -> Task {
     let pixel = (id.xy << vec2<u32>(params.column_shift, params.row_shift)) + vec2<u32>(params.window_x, params.window_y);
     let place = (id.z * params.window_height + id.y) * params.window_width + id.x;
-    let sample = trace_path(pixel, params.first_sample + id.z, @if(reuse) place);
-    radiance[params.first_layer * params.window_height * params.window_width + place] = sample;
+    let exists = id.x < params.window_width && id.y < params.window_height && id.z < params.layers;
+    return Task(pixel, params.first_sample + id.z, place, exists);
+}
+
+// Of a batch of tiles: the workgroups are numbered, each has a sample of one.
+@if(adaptive)
+fn task_in_tile(number: u32, lane: u32) -> Task {
+    let listed = tile_samples[min(number, params.tile_samples - 1u)];
+    let pixel = tile_corner(listed.tile) + place_in_tile(lane);
+    @if(reuse) {
+        // All of the tile, whatever is kept of it: its pixels need each other.
+        let exists = all(pixel < vec2<u32>(params.film_width, params.film_height));
+        return Task(pixel, listed.sample, number * TILE_LANES + lane, number < params.tile_samples && exists);
+    } @else {
+        let place = pixel - vec2<u32>(params.window_x, params.window_y);
+        let exists = all(place < vec2<u32>(params.window_width, params.window_height));
+        return Task(pixel, listed.sample, number * TILE_LANES + lane, number < params.tile_samples && exists);
+    }
+}
+
+@compute @workgroup_size(8, 8)
+fn path(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+    @if(adaptive) @builtin(workgroup_id) group: vec3<u32>,
+    @if(adaptive) @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    prepare_workgroup(lane, 64u);
+    var task = task_of(id);
+    @if(adaptive) {
+        if (params.tile_samples > 0u) {
+            task = task_in_tile(group.x + group.y * groups.x, lane);
+        }
+    }
+    if (!task.exists) {
+        return;
+    }
+    let sample = trace_path(task.pixel, task.sample, @if(reuse) task.place);
+    radiance[params.first_layer * params.window_height * params.window_width + task.place] = sample;
 }

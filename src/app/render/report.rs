@@ -9,7 +9,7 @@ use super::arguments::RenderArguments;
 use super::until::{Ended, Until};
 use crate::app::shared::describe::Described;
 use crate::app::shared::quality::Quality;
-use crate::engine::{FilmError, FilmImage, Report};
+use crate::engine::{FilmError, FilmImage, Report, TileCounts};
 use crate::image::Outputs;
 use crate::layout::film::BadSample;
 use crate::layout::sort::SORT_DIGITS;
@@ -111,6 +111,7 @@ impl RenderSummary<'_> {
             "max_depth": scene.render.max_depth,
             "roulette": scene.render.roulette,
             "reuse": scene.render.reuse.name(),
+            "adaptive": scene.render.adaptive.name(),
             "energy": scene.render.energy.variant(),
             "exposure": scene.film.exposure,
             "tone": scene.film.tone.name(),
@@ -132,6 +133,10 @@ impl RenderSummary<'_> {
                 "write": writes,
             },
             "samples": report.samples,
+            // Null where all pixels have the same number.
+            "tile_samples": report.tiles.map(|tiles| {
+                json!({ "tiles": tiles.tiles, "least": tiles.least, "median": tiles.median, "most": tiles.most })
+            }),
             "rays": report.rays,
             "rays_per_second": self.rays_per_second(),
             "mean": film.mean,
@@ -155,6 +160,8 @@ impl RenderSummary<'_> {
             "passes": self.passes_not_run().collect::<Vec<_>>(),
             // Null where no pass sorted.
             "digits": self.report.sorted_digits.map(|digits| SORT_DIGITS - digits),
+            // Tiles of an adaptive film that were quiet enough for no work in its last round. Null where all pixels have as many samples.
+            "tiles": self.report.tiles.map(|tiles| tiles.idle),
         })
     }
 
@@ -291,6 +298,10 @@ impl RenderSummary<'_> {
             left_out.join(", ")
         );
         text += &format!("  not run, {} of {} passes: {}\n", not_run.len(), TABLE.len(), not_run.join(", "));
+        if let Some(TileCounts { tiles, least, median, most, idle }) = self.report.tiles {
+            text += &format!("  not traced in the last round, {idle} of {tiles} tiles: they are quiet enough\n");
+            text += &format!("  samples a pixel by tile: least {least}, median {median}, most {most}\n");
+        }
         if let Some(digits) = self.report.sorted_digits {
             text +=
                 &format!("  not sorted, {} of {SORT_DIGITS} digits: all keys agree in them\n", SORT_DIGITS - digits);

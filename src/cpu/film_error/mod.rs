@@ -13,6 +13,7 @@ use std::ops::Range;
 
 use glam::UVec2;
 
+use crate::cpu::film::Joined;
 use crate::layout::film::FilmPixel;
 use crate::parallel;
 use crate::stats::summary::upper_quantile;
@@ -49,6 +50,11 @@ pub struct Place {
 
 /// The error that a film is estimated to have; 0 where no pixel has samples in both halves.
 pub fn film_error(film: &[FilmPixel], place: Place, exponent: i32) -> FilmError {
+    joined_film_error(film, place, exponent, Joined::BySamples)
+}
+
+/// The same of a film whose halves are joined in some way.
+pub fn joined_film_error(film: &[FilmPixel], place: Place, exponent: i32, joined: Joined) -> FilmError {
     if film.is_empty() || place.width == 0 {
         return FilmError::default();
     }
@@ -57,7 +63,7 @@ pub fn film_error(film: &[FilmPixel], place: Place, exponent: i32) -> FilmError 
     let before = place.min.y as usize % ROWS;
     let piece = |number: usize| {
         let rows = (number * ROWS).saturating_sub(before)..((number + 1) * ROWS - before).min(height);
-        piece_error(film, place, rows, exponent)
+        piece_error(film, place, rows, (exponent, joined))
     };
     let pieces = parallel::map((before + height).div_ceil(ROWS), piece);
     pieces.into_iter().fold(Sums::default(), Sums::and).error()
@@ -91,11 +97,12 @@ impl Sums {
 }
 
 /// Sums over some rows of a film.
-fn piece_error(film: &[FilmPixel], place: Place, rows: Range<usize>, exponent: i32) -> Sums {
+fn piece_error(film: &[FilmPixel], place: Place, rows: Range<usize>, (exponent, joined): (i32, Joined)) -> Sums {
     let width = place.width;
     let height = film.len() / width;
     let (low, high) = (rows.start.saturating_sub(HALO), (rows.end + HALO).min(height));
-    let halves: Vec<Halves> = film[low * width..high * width].iter().map(|pixel| Halves::of(pixel, exponent)).collect();
+    let halves = film[low * width..high * width].iter().map(|pixel| Halves::of(pixel, exponent, joined));
+    let halves: Vec<Halves> = halves.collect();
     let shares = shares(&halves, width, rows.start - low..rows.end - low);
     let there = || shares.iter().filter(|share| share.is_there);
     Sums {
