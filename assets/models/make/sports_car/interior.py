@@ -48,7 +48,7 @@ def dashboard():
                    (.585, .50), (.545, .545), (.40, .60), (.30, .70), (.45, back), (.60, back))
         rings.append([(x, y, z) for y, z in profile])
     body = soft_loft("dashboard", "alcantara", rings, 1)
-    band = box("dash_band", "leather", (-.22, .612, .488), (.98, .045, .02), .008)
+    band = box("dash_band", "leather", (-.22, .600, .488), (.98, .085, .024), .010)
     screen = box("screen", "gloss_black", (0, .628, .458), (.24, .135, .014), .006, turn=turned(0, -12))
     image = flat("screen_image", "screen", (0, .629, .4505), (.222, .118), -12)
     cluster = flat("cluster", "screen", (.36, .655, .4800), (.235, .085), -18)

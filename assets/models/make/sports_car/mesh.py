@@ -126,6 +126,10 @@ ROUGH = {"tyre", "tyre_letters", "leather_dark", "alcantara", "lining", "gap_bla
          "rubber", "trim_black", "leather", "grille", "grille_fine", "underbody", "liner", "belt"}
 
 
+# Where a hundredth of a metre does: what stands far away, and in no row.
+LOOSE = {"leaves", "blades", "bark"}
+
+
 def write(path, comment, library, parts, position="%.4f"):
     obj = Obj(comment, library, position, "%.3f", "%.3f")
     for part in parts:
@@ -134,5 +138,5 @@ def write(path, comment, library, parts, position="%.4f"):
         uvs = part.uvs.tolist() if part.uvs is not None else None
         for face, corners, uv_corners in zip(part.faces, part.corners, part.uv_corners):
             obj.face([points[v] for v in face], [normals[c] for c in corners], [uvs[c] for c in uv_corners] if uvs else None,
-                     "%.2f" if part.material in ROUGH else None)
+                     "%.2f" if part.material in ROUGH else None, "%.2f" if part.material in LOOSE else None)
     obj.write(path)
