@@ -89,6 +89,14 @@ def console():
     return [tunnel, top, oriented(lever).moved(m, (0, .42, .10))]
 
 
+def doors():
+    """An armrest on each door, and a bar to pull it shut by."""
+    rests = [box("armrests", "leather_dark", (side * .765, .590, .02), (.085, .055, .46), .020, 2) for side in (-1, 1)]
+    path = np.array([(.775, .640, -.10), (.745, .665, -.07), (.742, .672, .02), (.745, .668, .11), (.775, .645, .14)])
+    bar = oriented(tube("door_pulls", "chrome", path, .008, 8))
+    return [joined("armrests", rests), joined("door_pulls", [bar, bar.mirrored()])]
+
+
 def bulkhead():
     wall = box("bulkhead", "leather_dark", (0, .45, -.605), (1.50, .66, .04), .01)
     shelf = box("parcel_shelf", "alcantara", (0, .80, -.75), (1.30, .02, .36), .008)
@@ -108,5 +116,5 @@ def engine():
 
 
 def all_parts():
-    parts = seat(.37, "left") + seat(-.37, "right") + dashboard() + steering() + console() + bulkhead()
+    parts = seat(.37, "left") + seat(-.37, "right") + dashboard() + steering() + console() + doors() + bulkhead()
     return [part.moved(by=(0, 0, FORWARD)) for part in parts] + engine()

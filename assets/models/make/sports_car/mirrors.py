@@ -1,4 +1,4 @@
-"""The mirrors: a painted cap over a black housing, parted by a groove, with a lamp along its front edge, and a pane set back in it, on a slender arm."""
+"""The mirrors: a painted cap over a black housing, and a pane in a bezel, on a slender arm."""
 
 import numpy as np
 
@@ -10,24 +10,23 @@ from shell import pair
 MIDDLE = (.985, .858, .645)
 RINGS = ((0, .104, .050, 0, 0), (.010, .110, .055, 0, 0), (.035, .112, .057, .001, .001), (.085, .107, .053, .006, .004), (.130, .094, .043, .016, .009),
          (.165, .072, .030, .030, .014), (.185, .046, .017, .044, .018), (.192, .020, .006, .052, .020))
-# How much further ahead the pane's outer edge lies, a metre of width.
+# How much further back the pane's outer edge lies, a metre of width, so that it looks at the driver.
 TURN = .20
-# Below this height of a ring, of its half, the housing is black.
-PARTING = -.22
+# How many points a ring has; the first half of them lies above.
+STEPS = 20
 
 
-def ring(ahead, half, high, inwards, down, steps=20):
+def ring(ahead, half, high, inwards, down, steps=STEPS):
     u, v = squared(half, high, .62, steps, lean=.22)
     x, y, z = MIDDLE
     return np.stack([x + u - inwards, y + v - down, z + ahead + TURN * -u * (1 - 3 * ahead)], 1)
 
 
 def shell():
+    """The cap is painted from the second ring to the last one, on its upper half; a face of the rings became four."""
     body = soft_loft("mirror", "paint", [ring(*r) for r in RINGS], 1)
-    y, z = MIDDLE[1:]
-    line = lambda p: y - .014 - .10 * (p[2] - z)
-    under = {k for k, f in enumerate(body.faces) if (c := body.points[f].mean(0))[1] < line(c) or c[2] < z + .004 + TURN * (MIDDLE[0] - c[0])}
-    return [body.only(lambda k: k not in under), body.only(lambda k: k in under, "gloss_black").moved(name="mirror_housing")]
+    painted = lambda k: STEPS <= k // 4 < (len(RINGS) - 1) * STEPS and k // 4 % STEPS < STEPS // 2
+    return [body.only(painted), body.only(lambda k: not painted(k), "gloss_black").moved(name="mirror_housing")]
 
 
 def pane():
@@ -37,16 +36,6 @@ def pane():
     glass = smooth("mirror_pane", "mirror", deep, [list(range(len(edge)))[::-1]], 30)
     bezel = oriented(sweep("mirror_bezel", "gloss_black", edge, disk(.0060, 8), 60, closed=True))
     return [glass, bezel]
-
-
-def lamp():
-    """A strip of amber along the front of the housing, below the cap."""
-    path = []
-    for a in np.linspace(-.35, .80, 12):
-        t = .100
-        half, high, inwards, down = (np.interp(t, [r[0] for r in RINGS], [r[k] for r in RINGS]) for k in (1, 2, 3, 4))
-        path.append((MIDDLE[0] - inwards + half * a, MIDDLE[1] - down - .016, MIDDLE[2] + .168 - .075 * a * a * (1 if a > 0 else .3) - .05 * max(0, a) ** 3 + TURN * -half * a * .5))
-    return oriented(sweep("mirror_lamp", "indicator", path, disk(.0045, 8), 60))
 
 
 def arm():

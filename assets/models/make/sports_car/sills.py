@@ -15,7 +15,7 @@ ROOT, FOOT = .845, .098
 def lip(z):
     """How far out the blade reaches, and how high its outer edge is lifted."""
     out = .030 * step((1.03 - z) / .24) * step((z + 1.02) / .12)
-    up = .118 * step((-.60 - z) / .40) ** 1.3 + .020 * step((z - .86) / .16)
+    up = .088 * step((-.60 - z) / .40) ** 1.3 + .020 * step((z - .86) / .16)
     return .940 + out, up
 
 

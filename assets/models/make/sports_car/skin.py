@@ -3,7 +3,7 @@
 import numpy as np
 
 from edges import folded
-from mesh import Part, area, face_normals, unit, untwisted
+from mesh import DIGITS, Part, area, face_normals, unit, untwisted
 
 NEAR = 2.5e-4
 # What a normal between two corners may differ from their mean.
@@ -113,8 +113,9 @@ class Skin:
                     labels.append(self.labels[k])
                     parents.append(self.parents[k] if k not in cut and row == f else None)
             self.faces, self.tags, self.labels, self.parents, self.order = faces, tags, labels, parents, order
-            self.points = np.concatenate([self.points, new_points])
-            self.normals = np.concatenate([self.normals, new_normals])
+            # Rounded, so that machines whose last digits differ cut, weld and cover alike.
+            self.points = np.concatenate([self.points, np.round(new_points, DIGITS)])
+            self.normals = np.concatenate([self.normals, np.round(new_normals, DIGITS)])
         return np.array(values)
 
     def region(self, name, field, choose, level=0.0):

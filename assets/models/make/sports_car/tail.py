@@ -71,8 +71,8 @@ def lamps(skin, whole):
 def recess(skin):
     """The slope from the body to what lies deeper, the walls below it, and darkness."""
     panel = Outline(TAIL_PANEL, FRONT, .02)
-    slope = lambda p: -.002 - TAIL_DEPTH * np.clip(-panel(p) / TAIL_FRAME, 0, 1)
-    frame = both(skin.part("tail_frame", "gloss_black", {"tail_frame"}, offset=slope, fold=.01, into=INTO))
+    inwards = lambda p: -.002 - TAIL_DEPTH * np.clip(-panel(p) / TAIL_FRAME, 0, 1)
+    frame = both(skin.part("tail_frame", "gloss_black", {"tail_frame"}, offset=inwards, fold=.01, into=INTO))
     walls = both(skin.part("tail_walls", "gloss_black", {"tail_panel", "tail_lamp"}, offset=-TAIL_DEPTH, fold=.04, lip=.003, walls=True, into=INTO))
     return [frame, walls, box("tail_back", "gap_black", (0, .71, -1.955), (1.34, .18, .02), .005, 1)]
 
@@ -156,10 +156,12 @@ def exhausts():
 def vents(skin, whole):
     """The outlets at the corners: sides that lead inwards, and three vanes as the bumper runs there."""
     frame = skin.part("vent_frame", "paint", {"vent_frame"}, offset=slope(VENT, VENT_FRAME, VENT_DEPTH), fold=.006, into=INTO)
-    section = [(-.0045, -.014), (-.002, -.017), (.002, -.017), (.0045, -.014), (.0035, .014), (-.0035, .014)]
-    vanes = []
+    section = [(-.014, -.0010), (-.012, -.0035), (.010, -.0030), (.014, .0005), (.010, .0030), (-.012, .0030)]
+    hole, vanes = Outline(VENT, FRONT, .03), []
     for y in (.452, .486, .520):
-        path = np.array([on_face(whole, x, y + .08 * (x - .79), -.012, -1)[0] for x in np.linspace(.705, .875, 9)])
+        line = np.array([(x, y + .08 * (x - .79), 0) for x in np.linspace(.68, .90, 111)])
+        line = line[hole(line) < -.9 * VENT_FRAME]
+        path = np.array([on_face(whole, x, up, -.022, -1)[0] for x, up in line[np.linspace(0, len(line) - 1, 9).astype(int), :2]])
         vanes.append(oriented(sweep("vent_blades", "gloss_black", path, section, 40)))
     return pair(frame) + pair(joined("vent_blades", vanes))
 
