@@ -34,10 +34,9 @@ def strake(x):
     """A blade below the floor, whose foot runs level and sweeps up to the lip."""
     shift = ahead(x)
     rings = []
-    for z, foot in ((-1.60, .122), (-1.72, .117), (-1.85, .118), (-1.96, .122), (-2.04, .134), (-2.095, .162), (-2.122, .205), (-2.134, .262)):
+    for z, low in ((-1.60, .122), (-1.72, .117), (-1.85, .118), (-1.96, .122), (-2.04, .134), (-2.095, .162), (-2.122, .205), (-2.134, .262)):
         late = np.clip((-1.75 - z) / .3, 0, 1)
         top = np.interp(-z, [-a for a, _ in RUN[:8]], [b for _, b in RUN[:8]]) + .006
-        low = foot
         w = .0075
         rings.append([(x - w, top, z + late * shift), (x + w, top, z + late * shift), (x + w, low + .012, z + late * shift), (x + w * .7, low, z + late * shift),
                       (x - w * .7, low, z + late * shift), (x - w, low + .012, z + late * shift)])

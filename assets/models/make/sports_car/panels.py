@@ -61,8 +61,8 @@ TAIL_LAMP = [(.425, .783), (.62, .778), (.775, .752), (.796, .730), (.782, .674)
 # The lower edge of the rear bumper, which arches over the pipes and meets the valance at the corners.
 DIFFUSER = mirrored([(0, .372), (.27, .372), *curve([(.330, .376), (.385, .410), (.455, .428), (.530, .430), (.600, .424), (.660, .398), (.715, .345), (.765, .290), (.786, .250)], 5), (.790, .05), (0, .05)])
 # The bay of the number plate, how wide the slope is that leads into it, and how deep.
-BAY = mirrored([(0, .563), (.300, .561), (.282, .420), (0, .418)])
-BAY_FRAME, BAY_DEPTH = .020, .030
+BAY = mirrored([(0, .568), (.316, .566), (.298, .413), (0, .411)])
+BAY_FRAME, BAY_DEPTH = .020, .040
 # The same of the outlets at the corners.
 VENT_FRAME, VENT_DEPTH = .016, .026
 VENT = [*curve([(.722, .428), (.716, .478), (.722, .526)], 4), *curve([(.748, .546), (.800, .556), (.850, .562)], 4), *curve([(.868, .538), (.860, .486), (.846, .440)], 4), (.822, .414), (.752, .408)]

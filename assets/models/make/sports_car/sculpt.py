@@ -11,7 +11,7 @@ LEADING = ((.330, .668), (-.745, -.490))
 CHANNEL, DEEP = .46, .030
 # The rear edge of a bonnet outlet: z by x. How long the ramp behind it is, and how deep.
 OUTLET = ((.14, .25, .35, .45), (1.456, 1.512, 1.558, 1.586))
-RAMP, SUNK = .22, .022
+RAMP, SUNK = .27, .019
 
 
 def bump(x):

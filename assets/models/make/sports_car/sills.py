@@ -1,7 +1,5 @@
 """The blade along the foot of each sill: it leaves the front arch flush, stands out under the door, and curls up before the rear wheel."""
 
-import numpy as np
-
 from sculpt import step
 from shapes import soft_loft
 from shell import pair

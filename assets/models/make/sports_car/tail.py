@@ -108,7 +108,7 @@ def number(whole):
     up = unit(rows[-1] - rows[0])
     normal = np.array((0, up[2], -up[1]))
     foot = rows[3]
-    foot = foot + normal * (max(p @ normal for p in rows) - foot @ normal - BAY_DEPTH + .014)
+    foot = foot + normal * (max(p @ normal for p in rows) - foot @ normal - BAY_DEPTH + .016)
     place = lambda across, rise, out: foot + across * np.array((1.0, 0, 0)) + rise * up + out * normal
     x, top = wide / 2, high / 2
     points = np.array([place(a, b, 0) for a, b in ((-x, -top), (x, -top), (x, top), (-x, top))])
@@ -121,7 +121,7 @@ def number(whole):
 
 def fog_light(whole):
     """A slim red lens in the middle, between the plate and the diffuser."""
-    path = np.array([on_face(whole, x, .3945, .001, -1)[0] for x in np.linspace(-.085, .085, 9)])
+    path = np.array([on_face(whole, x, .3915, .001, -1)[0] for x in np.linspace(-.085, .085, 9)])
     return oriented(sweep("fog_light", "tail_reflector", path, disk(.0085, 10, .62), 60))
 
 
@@ -161,7 +161,7 @@ def vents(skin, whole):
     for y in (.452, .486, .520):
         line = np.array([(x, y + .08 * (x - .79), 0) for x in np.linspace(.68, .90, 111)])
         line = line[hole(line) < -.9 * VENT_FRAME]
-        path = np.array([on_face(whole, x, up, -.022, -1)[0] for x, up in line[np.linspace(0, len(line) - 1, 9).astype(int), :2]])
+        path = np.array([on_face(whole, x, up, -.036, -1)[0] for x, up in line[np.linspace(0, len(line) - 1, 9).astype(int), :2]])
         vanes.append(oriented(sweep("vent_blades", "gloss_black", path, section, 40)))
     return pair(frame) + pair(joined("vent_blades", vanes))
 

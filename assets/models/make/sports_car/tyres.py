@@ -4,7 +4,7 @@ import numpy as np
 
 from letters import text
 from mesh import joined
-from shapes import lathe, oriented
+from shapes import lathe
 
 # How many slots go round, and where a slot begins, is deepest and ends, as parts of the way to the next.
 PITCH = 28
