@@ -2,18 +2,18 @@
 
 import numpy as np
 
-from mesh import joined
+from mesh import joined, smooth
 from panels import LOUVRES, LOUVRE_DEPTH, LOUVRE_FRAME
 from fields import TOP, Outline
-from shapes import soft_loft
+from shapes import oriented
 from shell import both
 from surface import on_top
 
 # How many slats, how long one is, and how much lower its front edge lies than its rear edge.
 SLATS, CHORD, FALL = 7, .098, .030
 # Of a slat: where along the chord from the rear (0 to 1), and the height of its upper and of its lower side.
-UPPER = ((0, .000), (.06, .004), (.30, .006), (.8, .002), (1, -.003))
-LOWER = ((.85, -.005), (.3, -.004), (.05, -.005))
+UPPER = ((0, -.001), (.02, .0025), (.07, .0045), (.30, .006), (.65, .004), (.93, .001), (1, -.002))
+LOWER = ((.93, -.005), (.3, -.004), (.03, -.004))
 
 
 def half_width(z):
@@ -25,15 +25,17 @@ def half_width(z):
 
 def slat(skin, rear):
     """One slat, whose rear edge lies at z, flush with the lid; its ends go on below the frame."""
-    rings = []
-    for across in np.linspace(-1, 1, 7):
-        ring = []
+    points = []
+    rows = np.linspace(-1, 1, 13)
+    for across in rows:
         for t, high in UPPER + LOWER:
             z = rear + t * CHORD
             x = across * (half_width(z) - .004)
-            ring.append(on_top(skin, x, z + .030 * (1 - across * across), high - .004 - FALL * t ** 1.4))
-        rings.append(ring)
-    return soft_loft("louvres", "paint", rings, 1)
+            points.append(on_top(skin, x, z + .030 * (1 - across * across), high - .004 - FALL * t ** 1.4))
+    n, m = len(rows), len(UPPER + LOWER)
+    faces = [[i * m + k, (i + 1) * m + k, (i + 1) * m + (k + 1) % m, i * m + (k + 1) % m] for i in range(n - 1) for k in range(m)]
+    # Its ends, below the frame, stay open.
+    return oriented(smooth("louvres", "paint", points, faces, 65))
 
 
 def frame(skin):

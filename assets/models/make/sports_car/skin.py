@@ -222,12 +222,12 @@ class Skin:
         if shift is not None:
             p = shift(p, n)
         faces = [[index[v] for v in f] for f in faces]
-        if callable(offset) and into is None:
+        if callable(offset):
             n = tilted(n, p, self.points[ids], faces)
         if not fold:
             return Part(name, material, p, untwisted(p, n, faces), n)
         extra = list(folded(p, out, faces, fold, lip))
-        if callable(offset) and into is None:
+        if callable(offset):
             # The rounded edge starts from the normals that it was made from, not from those that were turned.
             first = len(n) + len(extra[2])
             extra[2] = np.concatenate([extra[2], out])
