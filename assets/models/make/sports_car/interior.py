@@ -29,7 +29,7 @@ def along(path, section, scale_depth=True):
 def seat(x, word):
     shell = soft_loft("seat", "leather", along(SEAT, SECTION), 2)
     insert = soft_loft("seat_insert", "leather_dark", along(SEAT[2:9], INSERT, False), 2)
-    strip = soft_loft("head_insert", "leather_dark", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 1)
+    strip = soft_loft("head_insert", "leather_dark", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 2)
     belt_path = [(.19, .80, -.50), (.17, .775, -.432), (.15, .66, -.365), (.10, .52, -.312), (-.02, .37, -.245), (-.16, .325, -.20), (-.215, .30, -.20)]
     belt = sweep("belt", "belt", belt_path, [(-.0015, -.022), (.0015, -.022), (.0015, .022), (-.0015, .022)], 30)
     side = 1 if x > 0 else -1
