@@ -1,9 +1,11 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
+mod adaptive;
 mod alias;
 mod alone;
 mod animate;
 mod audit;
+mod bands;
 mod bench;
 mod bsdf;
 mod camera;
@@ -57,9 +59,11 @@ mod pictures;
 mod player;
 mod point_lights;
 mod prepare;
+mod probe;
 mod reload;
 mod replay;
 mod reuse;
+mod robust;
 mod rooms;
 mod sampler;
 mod save;
@@ -78,6 +82,7 @@ mod skip;
 mod sky;
 mod sky_size;
 mod sort;
+mod sources;
 mod start;
 mod statistics;
 mod stress;

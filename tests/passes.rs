@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use glam::UVec2;
 use lucerna::gpu::checked_entry;
+use lucerna::layout::adaptive::TallyParams;
 use lucerna::layout::sort::{SORT_FEW_TILES, SORT_TILE};
 use lucerna::layout::trace::TraceParams;
 use lucerna::layout::tree::Triangle;
@@ -13,7 +14,7 @@ use lucerna::layout::view::ViewParams;
 use lucerna::passes::lattice::Lattice;
 use lucerna::passes::table::TABLE;
 use lucerna::passes::tree::PLAN;
-use lucerna::passes::{Makes, Recording, Twin, debug, film, trace, view};
+use lucerna::passes::{Makes, Recording, Twin, adaptive, blocks, debug, film, probe, trace, view};
 use lucerna::shader::{Features, Library, Linked};
 use naga::valid::GlobalUse;
 
@@ -98,19 +99,27 @@ fn recordings(purpose: Makes) -> Vec<Recording> {
             vec![record(&|recording| {
                 film::record_reset(recording, 1);
                 trace::record_reused(recording, &params, 1, false);
-                film::record_accumulate(recording, &film::accumulate_params(&params, 0, &params));
+                let adding = film::accumulate_params(&params, 0, &params);
+                film::record_accumulate(recording, &adding);
+                blocks::record(recording, &adding);
+                adaptive::record_tally(recording, &TallyParams { runs: 1, ..TallyParams::default() });
             })]
         }
         Makes::Picture => {
             let trace_params = TraceParams { window_width: 1, window_height: 1, ..TraceParams::default() };
-            vec![record(&|recording| {
+            let probed = record(&|recording| {
+                probe::record(recording, &trace_params);
+                probe::record_colours(recording, &probe::ProbeLook::default().colours(1));
+            });
+            let others = record(&|recording| {
                 film::record_display(
                     recording,
                     &film::display_params(UVec2::ONE, Lattice::default(), 0, film::Look::default()),
                 );
                 view::record(recording, &ViewParams { trace_params, ..ViewParams::default() });
                 debug::record(recording, &TraceParams { layers: 1, ..trace_params });
-            })]
+            });
+            vec![probed, others]
         }
     }
 }

@@ -131,3 +131,35 @@ fn an_array_that_is_too_large_says_what_to_make_smaller() {
         }
     }
 }
+
+/// What is kept of recordings keeps buffers that nothing names any more, and with them their memory.
+#[test]
+fn a_buffer_that_gives_way_is_let_go() {
+    let mut rig = support::rig();
+    let play = |rig: &mut Runtime, count: u32, value: u32| {
+        let mut recording = Recording::default();
+        clear(&mut recording, "words", value, count);
+        clear(&mut recording, "others", value, 4);
+        rig.play(&recording).unwrap();
+    };
+    rig.upload("others", &[0u32; 4]).unwrap();
+    rig.upload("words", &[0u32; 100]).unwrap();
+    play(&mut rig, 100, 1);
+    assert_eq!(rig.bind_groups(), 2);
+    // A smaller one is bound anew, and is the same buffer.
+    rig.reserve("words", 200).unwrap();
+    assert_eq!(rig.bind_groups(), 2);
+    for (round, count) in [1000u32, 10_000, 100_000].into_iter().enumerate() {
+        rig.reserve("words", u64::from(count) * 4).unwrap();
+        assert_eq!(rig.bind_groups(), 1, "those of the old one");
+        play(&mut rig, count, 7 + round as u32);
+        assert!(rig.read::<u32>("words").unwrap().iter().all(|word| *word == 7 + round as u32));
+    }
+    let before = rig.memory().held.now;
+    rig.release("words");
+    assert_eq!((rig.bind_groups(), rig.memory().held.now), (1, before - 400_000));
+    // One of the same size as another had is not taken for that.
+    rig.upload("words", &[0u32; 100]).unwrap();
+    play(&mut rig, 100, 3);
+    assert_eq!(rig.read::<u32>("words").unwrap(), [3; 100]);
+}

@@ -70,6 +70,7 @@ rows_that_hold! {
     reused_paths_equal_their_twin: "reuse-twin",
     reused_paths_have_the_mean_of_others: "reuse",
     the_error_of_a_film_is_what_it_says: "claimed-error",
+    adaptive_films_have_the_right_mean: "adaptive",
     random_numbers_are_independent: "independence",
     a_million_equal_samples_lose_nothing: "film-sums",
     bad_samples_say_where_they_went_wrong: "bad-samples",

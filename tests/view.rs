@@ -36,7 +36,7 @@ fn open(name: &str, spp: &str) -> Engine {
 
 /// Those that the pass `view` draws.
 fn views_of_surfaces() -> impl Iterator<Item = (ViewMode, &'static str)> {
-    ViewMode::ALL.into_iter().filter(|(mode, _)| ![ViewMode::Beauty, ViewMode::Debug].contains(mode))
+    ViewMode::ALL.into_iter().filter(|(mode, _)| ![ViewMode::Beauty, ViewMode::Debug, ViewMode::Probe].contains(mode))
 }
 
 fn picture(engine: &Engine) -> Vec<u32> {

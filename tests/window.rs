@@ -7,6 +7,7 @@ mod display;
 mod dock;
 #[cfg(target_os = "linux")]
 mod edits;
+mod errors;
 mod family;
 mod files;
 #[cfg(target_os = "linux")]
@@ -28,8 +29,10 @@ mod own;
 mod pace;
 mod panel;
 mod parameters;
+mod paths;
 #[cfg(target_os = "linux")]
 mod person;
+mod probes;
 mod record;
 #[cfg(target_os = "linux")]
 mod room;

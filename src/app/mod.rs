@@ -13,7 +13,7 @@ pub mod export;
 pub mod help;
 pub mod judge;
 mod new;
-mod render;
+pub mod render;
 pub mod replay;
 mod schema;
 pub mod shared;

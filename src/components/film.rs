@@ -69,6 +69,7 @@ pub struct Render {
     pub roulette: bool,
     /// Of integrator `Path` alone.
     pub reuse: Reuse,
+    pub adaptive: Adaptive,
     pub energy: Energy,
     pub texture_filter: TextureFilter,
     pub diffuse_map: DiffuseMap,
@@ -76,7 +77,7 @@ pub struct Render {
     pub texture_size: u32,
     /// Seed of every random number.
     pub seed: u32,
-    /// Samples a pixel after which the film is finished, at least 1.
+    /// Samples a pixel after which the film is finished, at least 1; of an adaptive film, on average.
     pub spp: u32,
 }
 
@@ -96,6 +97,7 @@ impl Default for Render {
             max_depth: 16,
             roulette: true,
             reuse: Reuse::default(),
+            adaptive: Adaptive::default(),
             energy: Energy::Preserve,
             texture_filter: TextureFilter::default(),
             diffuse_map: DiffuseMap::default(),
@@ -134,6 +136,16 @@ pub enum Reuse {
     Off,
     /// What the diffuse surface that a path comes to second sends on is gathered by the 16 pixels of a tile.
     Tiles,
+}
+
+/// Whether pixels get different numbers of samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Adaptive {
+    /// All get the same.
+    #[default]
+    Off,
+    /// Tiles of 8 by 8 pixels get more where they are noisy.
+    On,
 }
 
 /// What becomes of materials that reflect more than they receive.

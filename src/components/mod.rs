@@ -26,7 +26,7 @@ mod texture;
 pub use bevy_ecs::name::Name;
 pub use camera::{Active, Camera, Focus, Lens};
 pub use environment::{Daylight, Environment, EnvironmentMap};
-pub use film::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Reuse, Sampler, TextureFilter, Tone};
+pub use film::{Adaptive, Crop, DiffuseMap, Energy, Film, Integrator, Render, Reuse, Sampler, TextureFilter, Tone};
 pub use light::{PointLight, SpotCone};
 pub use material::{Lobe, Material, Passage};
 pub use mesh::{Geometry, MeshData, Transform, UsesMaterial};

@@ -24,6 +24,8 @@ pub struct LightSample {
     pub point_distance: Option<f64>,
     /// Index of the light's triangle in scene order; none for the sky and for points.
     pub triangle: Option<u32>,
+    /// Row of a point light in the table of lights; none of all others.
+    pub point: Option<u32>,
     /// Weights of its second and third corner.
     pub weights: [f64; 2],
 }
@@ -63,7 +65,15 @@ impl LightSampler<'_> {
                 };
                 let direction = bend(direction);
                 let (radiance, pdf) = self.beyond(sky, direction);
-                LightSample { direction, pdf, radiance, point_distance: None, triangle: None, weights: [0.0; 2] }
+                LightSample {
+                    direction,
+                    pdf,
+                    radiance,
+                    point_distance: None,
+                    triangle: None,
+                    point: None,
+                    weights: [0.0; 2],
+                }
             }
             _ => self.draw_light(position, pick / self.light_share, u, bend),
         }
@@ -96,9 +106,10 @@ impl LightSampler<'_> {
         let lights = &self.lights.lights;
         let (column, rest) = alias_pick(pick, lights.len());
         let own = rest < f64::from(lights[column].threshold);
-        let light = &lights[if own { column } else { lights[column].other as usize }];
+        let row = if own { column } else { lights[column].other as usize };
+        let light = &lights[row];
         if let Some(point) = light.point() {
-            return self.draw_point(&point, position, bend);
+            return LightSample { point: Some(row as u32), ..self.draw_point(&point, position, bend) };
         }
         let [a, b, c] = [light.a, light.b, light.c].map(|corner| corner.as_dvec3());
         let half = 0.5 * u.min_element();
@@ -115,6 +126,7 @@ impl LightSampler<'_> {
             radiance: light.emission.as_dvec3(),
             point_distance: None,
             triangle: Some(light.triangle),
+            point: None,
             weights: weights.to_array(),
         }
     }
@@ -129,6 +141,7 @@ impl LightSampler<'_> {
             radiance: point_intensity(light, -direction),
             point_distance: Some(distance),
             triangle: None,
+            point: None,
             weights: [0.0; 2],
         }
     }

@@ -18,7 +18,14 @@ pub fn display(film: &[FilmPixel], params: &DisplayParams) -> Vec<u32> {
 
 fn word(pixel: &FilmPixel, params: &DisplayParams) -> u32 {
     let [even, odd] = &pixel.halves;
-    let codes = codes(linear(&[even, odd], params.scale), params.tone);
+    let linear = match params.by_halves != 0 && even.count > 0 && odd.count > 0 {
+        true => {
+            let [even, odd] = [even, odd].map(|half| linear(&[half], params.scale));
+            [0, 1, 2].map(|c| 0.5 * (even[c] + odd[c]))
+        }
+        false => linear(&[even, odd], params.scale),
+    };
+    let codes = codes(linear, params.tone);
     (0..3).fold(0xff00_0000, |word, c| word | ((codes[c] + 0.5).floor() as u32) << (8 * c))
 }
 
@@ -29,6 +36,14 @@ fn linear(halves: &[&FilmHalf], scale: f32) -> [f64; 3] {
         let sums = halves.iter().map(|half| f64::from(half.sum[c].y) * 2f64.powi(32) + f64::from(half.sum[c].x));
         sums.sum::<f64>() / f64::from(count.max(1)) * f64::from(scale)
     })
+}
+
+/// Linear light as the display pass shows it, 2^`exposure` times as bright; opaque.
+pub fn shown(linear: [f32; 3], exposure: f32, tone: u32) -> [u8; 4] {
+    let scale = f64::from(exposure).exp2();
+    let [r, g, b] =
+        codes(linear.map(|channel| f64::from(channel) * scale), tone).map(|code| (code + 0.5).floor() as u8);
+    [r, g, b, 255]
 }
 
 /// Exposed light by a `TONE_` curve as codes of 8 bits, not rounded.

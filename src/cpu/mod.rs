@@ -1,6 +1,7 @@
 //! The twin of every pass on the CPU, by the same names; f64 where rounding would hide a mistake.
 
 pub mod alias;
+pub mod allocation;
 pub mod bounds;
 pub mod bsdf;
 pub mod camera;
@@ -17,16 +18,20 @@ pub mod observe;
 pub mod path;
 pub mod pcg4d;
 pub mod point;
+pub mod probe;
 pub mod replay;
 pub mod reuse;
 pub mod rng;
 pub mod rng_sobol;
+pub mod robust;
 mod scene;
 mod shadow;
 pub mod sky;
 pub mod sort;
+pub mod sources;
 pub mod sun;
 mod surface;
+pub mod tally;
 pub mod texture;
 pub mod textured;
 pub mod tone;

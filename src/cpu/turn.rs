@@ -90,6 +90,8 @@ pub struct LightDrawn {
     pub u: DVec2,
     /// None for sky, sun and points.
     pub triangle: Option<u32>,
+    /// Row of a point light in the table of lights: known to the twin alone.
+    pub point: Option<u32>,
     pub direction: DVec3,
     pub pdf: f64,
     pub radiance: DVec3,
@@ -175,10 +177,10 @@ impl SurfaceSeen {
 impl LightDrawn {
     /// `at`: what the surface does with the light's direction, where that is above it.
     pub fn of(u: DVec2, from: &LightSample, at: BsdfValue, weight: f64, above: bool) -> Self {
-        let LightSample { direction, pdf, radiance, triangle, .. } = *from;
+        let LightSample { direction, pdf, radiance, triangle, point, .. } = *from;
         let (value, bsdf_pdf) = if above { (at.value, at.pdf) } else { (DVec3::ZERO, 0.0) };
         let weight = if pdf > 0.0 && bsdf_pdf > 0.0 { weight } else { 0.0 };
-        Self { u, triangle, direction, pdf, radiance, value, bsdf_pdf, weight }
+        Self { u, triangle, point, direction, pdf, radiance, value, bsdf_pdf, weight }
     }
 }
 
@@ -238,6 +240,7 @@ impl From<&PathTurn> for Turn {
             light: has(TURN_LIGHT).then(|| LightDrawn {
                 u: kept.light_u.as_dvec2(),
                 triangle: index(kept.light_triangle),
+                point: None,
                 direction: kept.light_direction.as_dvec3(),
                 pdf: kept.light_pdf.into(),
                 radiance: kept.light_radiance.as_dvec3(),

@@ -7,7 +7,7 @@ use glam::UVec2;
 
 use super::film::progress;
 use crate::components::{Name, UsesMaterial};
-use crate::cpu::film::pixel_mean;
+use crate::cpu::film::joined_mean;
 use crate::cpu::texture::{level_of, nearest_texel};
 use crate::cpu::textured::Cone;
 use crate::cpu::view::{middle_ray, through_middle};
@@ -67,7 +67,7 @@ pub struct LookedUp {
 /// Looks at a pixel of the picture; none if there is no such pixel, or nothing was traced yet.
 pub fn inspect(world: &mut World, pixel: UVec2) -> Result<Option<Inspected>, EngineError> {
     let shot = world.resource::<Shot>();
-    let (size, shot, exponent) = (shot.size(), shot.params, shot.exponent);
+    let (size, joined, shot, exponent) = (shot.size(), shot.joined(), shot.params, shot.exponent);
     let triangles = world.resource::<GpuTable<Triangle>>().len() as u32;
     if !progress(world).begun || pixel.cmpge(size).any() {
         return Ok(None);
@@ -83,7 +83,7 @@ pub fn inspect(world: &mut World, pixel: UVec2) -> Result<Option<Inspected>, Eng
     extend::record(&mut recording, 1, triangles);
     device.play(&recording)?;
     let hit: Hit = device.read_one("hits", 0)?;
-    let (radiance, samples) = pixel_mean(&held, exponent);
+    let (radiance, samples) = joined_mean(&held, exponent, joined);
     let bad = held.halves.iter().map(|half| half.bad).sum();
     let distance = f64::from(hit.t) / through_middle(&shot, pixel).as_dvec3().length();
     let surface = surface_of(world, hit.triangle, distance).map(|surface| look_up(world, surface, &shot, &hit));

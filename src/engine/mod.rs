@@ -4,35 +4,44 @@ mod debug;
 mod film;
 mod inspect;
 mod mesh;
+mod paths;
+mod probe;
 mod read;
 mod replay;
 mod report;
+mod sources;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use bevy_ecs::prelude::*;
 use glam::{DVec3, UVec2, Vec4};
 
-pub use crate::cpu::film_error::FilmError;
+pub use crate::cpu::film::FilmSum;
+pub use crate::cpu::film_error::{ErrorSums, FilmError};
+pub use crate::cpu::robust::{RobustFilm, Worst};
+pub use crate::gpu::{DeviceMemory, Held};
 pub use crate::systems::EngineError;
-pub use crate::systems::resources::{Spent, TextureUse, TreeBuilder};
+pub use crate::systems::resources::{Probing, Spent, TextureUse, TileCounts, TreeBuilder};
 pub use debug::DebugRange;
-pub use film::FilmImage;
+pub use film::{FilmImage, FilmPart};
 pub use inspect::{Inspected, LookedUp, Seen};
 pub use mesh::MeshExtent;
-pub use replay::{Replay, TrianglePlace};
+pub use paths::TracedPath;
+pub use replay::{ProbedNumber, ProbedValue, Replay, TrianglePlace};
 pub use report::Report;
+pub use sources::{ErrorSources, Most, Source, SourceMap, Survey, Surveyed};
 
 use crate::components::{self, Camera, Film, Render};
-use crate::gpu::{Code, Drawn, Gpu, Paint, Placement, Runtime, Surface};
+use crate::gpu::{Code, Drawn, Gpu, GpuError, Paint, Placement, Runtime, Surface};
 use crate::layout::view::ViewMode;
 use crate::scene::{self, SceneDescription, SceneText};
-use crate::shader::{Library, Parameter};
+use crate::shader::{Library, Parameter, Probe};
 use crate::systems::resources::{
-    Budget, CompileListener, Device, Endless, FilmProgress, Frame, General, Live, MaterialSlot, SceneGeometry, Shot,
-    Sky, SkySource, Target, Textures, Viewed,
+    Budget, CompileListener, Device, Endless, FilmProgress, Frame, General, Live, MaterialSlot, ProbeChosen, Robust,
+    SceneGeometry, Shot, Sky, SkySource, Target, Textures, Viewed,
 };
 use crate::systems::{self, Fault, Reload};
 use crate::watch::{Problem, ReloadEvent, Sources, WatchError};
@@ -156,6 +165,19 @@ impl Engine {
         self.world.resource_mut::<General>().set_if_neq(General(on));
     }
 
+    /// Has samples summed in blocks too, beside the film, so that a robust mean can be told; or no longer. Where that begins the film starts anew,
+    /// and is the same film.
+    pub fn set_robust(&mut self, on: bool) {
+        if self.world.resource_mut::<Robust>().set_if_neq(Robust(on)) && on {
+            self.restart_film();
+        }
+    }
+
+    /// Whether samples are summed in blocks too.
+    pub fn is_robust(&self) -> bool {
+        self.world.resource::<Robust>().0
+    }
+
     /// Seconds and samples since the engine opened.
     pub fn spent(&self) -> Spent {
         *self.world.resource::<Spent>()
@@ -221,6 +243,17 @@ impl Engine {
         replay::replay_samples(&mut self.world, samples)
     }
 
+    /// Film samples of a pixel of the whole film, traced again by the kernel alone: sooner than [`replay_all`](Self::replay_all), which also asks the twin.
+    /// Nothing if there is no such pixel, or no step has built the tree yet.
+    pub fn trace_paths(&mut self, pixel: UVec2, samples: Range<u32>) -> Result<Vec<TracedPath>, EngineError> {
+        paths::trace_paths(&mut self.world, pixel, samples)
+    }
+
+    /// Of each point, world space, whether something hides it from the camera.
+    pub fn hidden(&mut self, points: &[DVec3]) -> Result<Vec<bool>, EngineError> {
+        paths::hidden(&mut self.world, points)
+    }
+
     /// What is known of the mesh of a name, as it was last extracted; none if there is no such mesh.
     pub fn mesh(&self, name: &str) -> Option<MeshExtent> {
         mesh::extent(&self.world, name)
@@ -277,6 +310,33 @@ impl Engine {
         debug::read_debug(&self.world)
     }
 
+    /// All names that shaders show numbers by (`probe("name", value)`), in order.
+    pub fn probes(&self) -> Arc<[Probe]> {
+        self.world.resource::<Device>().0.probes().clone()
+    }
+
+    /// Chooses the name that view "probe" shows, and how it is looked at, from the next step on; or none. Another one compiles nothing.
+    pub fn set_probe(&mut self, probing: Option<Probing>) {
+        probe::choose(&mut self.world, probing);
+    }
+
+    /// The name that is chosen.
+    pub fn probing(&self) -> Option<&Probing> {
+        self.world.resource::<ProbeChosen>().0.as_ref()
+    }
+
+    /// The numbers of the chosen name, row by row from the top, with 1 + its type behind each, and all 0 where there is none; none unless that is what
+    /// the picture shows.
+    pub fn probe_values(&self) -> Result<Option<Vec<Vec4>>, EngineError> {
+        probe::read_values(&self.world)
+    }
+
+    /// The same of the first sample of one pixel of the picture, by bounce; none where no name is chosen that code has, or there is no such pixel,
+    /// or no step has built the tree yet.
+    pub fn probe_pixel(&mut self, pixel: UVec2) -> Result<Option<Vec<Vec4>>, EngineError> {
+        probe::of_pixel(&mut self.world, pixel)
+    }
+
     /// Draws the picture as it was last presented to a window of the engine's own device, and `paint` over it.
     pub fn draw(&self, surface: &mut Surface, placement: Placement, paint: Paint) -> Result<Drawn, EngineError> {
         // Of a film that starts anew there is nothing yet, or what a step left that failed.
@@ -295,7 +355,12 @@ impl Engine {
         self.world.clear_trackers();
         self.world.resource_mut::<Spent>().steps += start.elapsed().as_secs_f64();
         if let Some(error) = self.world.resource_mut::<Fault>().0.take() {
-            systems::go_back(&mut self.world, error).inspect_err(|_| systems::start_again(&mut self.world))?;
+            systems::go_back(&mut self.world, error).inspect_err(|error| {
+                if matches!(error, EngineError::Gpu(GpuError::OutOfMemory { .. })) {
+                    systems::release_film(&mut self.world);
+                }
+                systems::start_again(&mut self.world);
+            })?;
         }
         let (spp, target) = self.samples();
         Ok(Progress {

@@ -14,11 +14,13 @@ use crate::cpu::turn::{Turn, turns_of};
 use crate::gpu::{GpuTable, TableRow};
 use crate::layout::alias::AliasColumn;
 use crate::layout::light::{LightRecord, LightTable};
+use crate::layout::probe::{MOST_PROBED, PROBE_BOOL, PROBE_F32, PROBE_U32, PROBE_VEC2, PROBE_VEC3, Probed};
 use crate::layout::replay::{MOST_TURNS, PathTurn, Replayed};
 use crate::layout::sky::SkyTable;
 use crate::layout::trace::{MaterialRecord, RadianceSample, Shading, TraceParams};
 use crate::layout::tree::Triangle;
 use crate::passes::{Recording, replay, trace};
+use crate::shader::Probe;
 use crate::systems::EngineError;
 use crate::systems::resources::{
     Device, LightDensity, MaterialSlot, MeshSlot, SceneGeometry, Shot, Sky, SkyCell, Tree, texture_set,
@@ -49,6 +51,30 @@ pub struct Replay {
     pub places: Vec<TrianglePlace>,
     /// World space point that rays are relative to.
     pub origin: DVec3,
+    /// Numbers that code showed on the way, in the order of the calls, as far as they were kept.
+    pub probed: Vec<ProbedNumber>,
+    /// How many it showed.
+    pub all_probed: u32,
+}
+
+/// A number that code showed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProbedNumber {
+    pub name: String,
+    pub value: ProbedValue,
+    /// Of the path: segments before the one at whose end it was.
+    pub bounce: u32,
+    /// The ray that was being traced; the number of all where it was behind the last.
+    pub turn: usize,
+}
+
+/// What code can show.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ProbedValue {
+    /// One to three channels.
+    Numbers(Vec<f32>),
+    Whole(u32),
+    Switch(bool),
 }
 
 /// What a triangle is part of.
@@ -83,6 +109,8 @@ struct Traced {
     replayed: RadianceSample,
     traced: RadianceSample,
     film: RadianceSample,
+    probed: Vec<ProbedNumber>,
+    all_probed: u32,
 }
 
 /// Replays samples of pixels of the whole film; none of those where there is no such pixel, or no tree yet.
@@ -99,12 +127,26 @@ pub fn replay_samples(world: &mut World, samples: &[(UVec2, u32)]) -> Result<Vec
     let (shot, origin) = (world.resource::<Shot>(), world.resource::<SceneGeometry>().origin);
     with_twin(world, &shot.params, |scene| {
         let judged = |(pixel, sample, traced): (UVec2, u32, Traced)| {
-            let Traced { kept, rays, replayed, traced, film } = traced;
+            let Traced { kept, rays, replayed, traced, film, probed, all_probed } = traced;
             let (gpu, reuses) = (turns_of(&kept), shot.reuses());
             let of = Sample { pixel, sample, lends: reuses };
             let verdict = judge(scene, &one_sample(&shot.params, pixel, sample), of, &gpu);
             let places = places(world, gpu.iter().chain(&verdict.twin));
-            Replay { pixel, sample, gpu, rays, replayed, traced, film, reuses, verdict, places, origin }
+            Replay {
+                pixel,
+                sample,
+                gpu,
+                rays,
+                replayed,
+                traced,
+                film,
+                reuses,
+                verdict,
+                places,
+                origin,
+                probed,
+                all_probed,
+            }
         };
         Ok(traced.into_iter().map(judged).collect())
     })
@@ -142,13 +184,30 @@ fn trace_sample(world: &mut World, pixel: UVec2, sample: u32) -> Result<Traced, 
         false => traced,
     };
     device.check_loops()?;
-    let Replayed { rgb, info, turns, .. } = device.read_one("replayed", 0)?;
+    let Replayed { rgb, info, turns, probed: all_probed, probed_kept, .. } = device.read_one("replayed", 0)?;
     let kept: Vec<PathTurn> = device.read_some("turns", turns.min(MOST_TURNS) as usize)?;
-    Ok(Traced { kept, rays: turns, replayed: RadianceSample { rgb, info }, traced, film })
+    let shown: Vec<Probed> = device.read_some("probed", probed_kept.min(MOST_PROBED) as usize)?;
+    let names = device.probes();
+    let probed = shown.iter().filter_map(|shown| probed_number(shown, names.get(shown.name as usize)?)).collect();
+    Ok(Traced { kept, rays: turns, replayed: RadianceSample { rgb, info }, traced, film, probed, all_probed })
+}
+
+/// What the kernel kept of a number that code showed by a name.
+fn probed_number(shown: &Probed, probe: &Probe) -> Option<ProbedNumber> {
+    let numbers = |count: usize| shown.bits.to_array()[..count].iter().map(|bits| f32::from_bits(*bits)).collect();
+    let value = match shown.kind {
+        PROBE_F32 => ProbedValue::Numbers(numbers(1)),
+        PROBE_VEC2 => ProbedValue::Numbers(numbers(2)),
+        PROBE_VEC3 => ProbedValue::Numbers(numbers(3)),
+        PROBE_U32 => ProbedValue::Whole(shown.bits.x),
+        PROBE_BOOL => ProbedValue::Switch(shown.bits.x != 0),
+        _ => return None,
+    };
+    Some(ProbedNumber { name: probe.name.clone(), value, bounce: shown.bounce, turn: shown.turn as usize })
 }
 
 /// The parameters of a film of one pixel and one sample.
-fn one_sample(params: &TraceParams, pixel: UVec2, sample: u32) -> TraceParams {
+pub(super) fn one_sample(params: &TraceParams, pixel: UVec2, sample: u32) -> TraceParams {
     TraceParams {
         window_x: pixel.x,
         window_y: pixel.y,

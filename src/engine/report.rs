@@ -5,12 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use bevy_ecs::prelude::*;
 
 use super::{Engine, film};
-use crate::gpu::{GpuTable, PassCompile, PassTiming};
+use crate::gpu::{DeviceMemory, GpuTable, PassCompile, PassTiming};
 use crate::layout::film::{BAD_LOG, BadSample, FilmCounters};
 use crate::layout::sort::SortPlan;
 use crate::layout::tree::{Triangle, node_count};
 use crate::passes::sort::SORT_PLAN;
-use crate::systems::resources::{Device, Shot, Spent, Textures};
+use crate::systems::resources::{Device, Shot, Spent, Textures, TileCounts, Tiles};
 use crate::systems::{EngineError, Entered};
 
 /// What the engine did since it opened.
@@ -25,6 +25,8 @@ pub struct Report {
     pub texture_bytes: u64,
     /// Samples of the film, over all pixels.
     pub samples: u64,
+    /// By how much tiles differ in samples; none where all pixels have the same number.
+    pub tiles: Option<TileCounts>,
     /// Rays of those samples, counted on the GPU.
     pub rays: u64,
     /// Seconds of taking up the scene: entities to arrays, and sending those.
@@ -49,6 +51,38 @@ pub struct Report {
     pub features: BTreeSet<String>,
     /// Digits of the keys of the tree's sort that were sorted, where passes did that: the others agree in all keys, and were skipped.
     pub sorted_digits: Option<u32>,
+    /// What is held on the device, and the most that was since the engine opened.
+    pub memory: DeviceMemory,
+}
+
+impl Report {
+    /// The same of two films that were traced one after the other, by one engine: what a film counts by itself is added up.
+    pub fn after(self, earlier: Self) -> Self {
+        let mut bad_log = [earlier.bad_log, self.bad_log].concat();
+        bad_log.truncate(BAD_LOG as usize);
+        Self {
+            samples: earlier.samples + self.samples,
+            rays: earlier.rays + self.rays,
+            bad_samples: earlier.bad_samples + self.bad_samples,
+            bad_log,
+            passes: added(earlier.passes, self.passes),
+            ..self
+        }
+    }
+}
+
+/// Times by pass, each name once, in the order in which they came.
+fn added(mut passes: Vec<PassTiming>, more: Vec<PassTiming>) -> Vec<PassTiming> {
+    for pass in more {
+        match passes.iter_mut().find(|held| held.name == pass.name) {
+            None => passes.push(pass),
+            Some(held) => {
+                held.count += pass.count;
+                held.milliseconds += pass.milliseconds;
+            }
+        }
+    }
+    passes
 }
 
 /// Adds up what was done.
@@ -60,6 +94,7 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
     let textures = (uses.len() as u32, uses.iter().map(|used| used.bytes).sum());
     let shot = world.resource::<Shot>();
     let (window, features) = (shot.size(), shot.features.clone());
+    let tiles = world.resource::<Tiles>().counts();
     let device = &mut world.resource_mut::<Device>().0;
     let counters = match progress.begun {
         true => device.read_some::<FilmCounters>("counters", 1)?[0],
@@ -73,6 +108,7 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         textures: textures.0,
         texture_bytes: textures.1,
         samples: progress.traced(window),
+        tiles: tiles.filter(|_| progress.by_tiles > 0),
         rays: u64::from(counters.rays_hi.0) << 32 | u64::from(counters.rays_lo.0),
         seconds_extract: (spent.steps - spent.compile - spent.build - spent.trace - spent.picture).max(0.0),
         seconds_compile: spent.compile,
@@ -88,6 +124,7 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         },
         dispatches: device.dispatches().clone(),
         features,
+        memory: device.memory(),
     })
 }
 

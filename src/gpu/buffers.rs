@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
-use super::{Gpu, GpuError};
+use super::{Gpu, GpuError, Held};
 use crate::layout::trace::MaterialRecord;
 
 /// The storage buffers that passes name. A buffer grows when more is asked of it, and then loses what it held.
@@ -12,6 +12,9 @@ pub struct Buffers {
     named: HashMap<&'static str, Slot>,
     /// What the last read came through: making one takes longer than reading by it.
     staging: Mutex<Option<wgpu::Buffer>>,
+    held: Mutex<Held>,
+    /// Buffers that were ever made.
+    made: u64,
 }
 
 struct Slot {
@@ -20,9 +23,12 @@ struct Slot {
     bytes: u64,
     /// Bytes that are bound: what was asked for, rounded up.
     size: u64,
-    /// Unlike for every buffer ever made under this name: what bind groups are cached by.
+    /// Unlike for every buffer ever made: what bind groups are cached by.
     generation: u64,
 }
+
+/// What a buffer that is read by is called where bytes are told.
+const STAGING: &str = "readback";
 
 /// WGSL's runtime-sized arrays need room for at least one element; every shared struct but parameters fits.
 const SMALLEST: u64 = 128;
@@ -33,26 +39,32 @@ const MOST_STAGED: u64 = 256 << 20;
 const _: () = assert!(size_of::<MaterialRecord>() as u64 <= SMALLEST, "the largest element of an array");
 
 impl Buffers {
+    /// Whether there is a buffer `name` that gives way to another one where it is to hold `bytes`.
+    pub(super) fn replaces(&self, name: &str, bytes: u64) -> bool {
+        self.named.get(name).is_some_and(|slot| slot.buffer.size() < rounded(bytes))
+    }
+
+    /// Drops the buffer `name`, if there is one.
+    pub(super) fn release(&mut self, name: &str) {
+        if let Some(old) = self.named.remove(name) {
+            self.hold(|held| held.take(old.buffer.size()));
+        }
+    }
+
     /// Makes sure that `name` holds at least `bytes`. Returns true if the buffer is a new one, filled with zeros.
     pub fn reserve(&mut self, gpu: &Gpu, name: &'static str, bytes: u64) -> Result<bool, GpuError> {
-        let size = bytes.next_multiple_of(16).max(SMALLEST);
-        let limits = &gpu.limits;
-        let caps = [(limits.max_storage_buffer_binding_size, "one binding"), (limits.max_buffer_size, "one buffer")];
-        for (limit, what) in caps {
-            if size > limit {
-                return Err(GpuError::TooLarge { name, need: size, limit, adapter: gpu.info.name.clone(), what });
-            }
-        }
-        let old = self.named.get_mut(name);
-        let generation = old.as_ref().map_or(0, |slot| slot.generation + 1);
-        if let Some(slot) = old
+        let size = rounded(bytes);
+        gpu.check_size(name, size)?;
+        if let Some(slot) = self.named.get_mut(name)
             && slot.buffer.size() >= size
         {
             (slot.bytes, slot.size) = (bytes, size);
             return Ok(false);
         }
-        self.named.remove(name);
-        let buffer = gpu.guarded_room(name, &format!("buffer `{name}` of {size} bytes"), || {
+        self.release(name);
+        let others = self.held().now;
+        let what = format!("buffer `{name}` of {size} bytes, beside {others} bytes in other buffers");
+        let buffer = gpu.guarded_room(name, &what, || {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(name),
                 size,
@@ -63,8 +75,28 @@ impl Buffers {
                 mapped_at_creation: false,
             })
         })?;
-        self.named.insert(name, Slot { buffer, bytes, size, generation });
+        self.named.insert(name, Slot { buffer, bytes, size, generation: self.made });
+        self.made += 1;
+        self.hold(|held| held.add(size));
         Ok(true)
+    }
+
+    /// Bytes of all buffers, that which is read by among them.
+    pub fn held(&self) -> Held {
+        *self.held.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn hold(&self, change: impl FnOnce(&mut Held)) {
+        change(&mut self.held.lock().unwrap_or_else(PoisonError::into_inner));
+    }
+
+    /// The buffers that there are, by name, with their bytes; the largest first.
+    pub fn sizes(&self) -> Vec<(&'static str, u64)> {
+        let kept = self.staging.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(wgpu::Buffer::size);
+        let named = self.named.iter().map(|(name, slot)| (*name, slot.buffer.size()));
+        let mut sizes: Vec<_> = named.chain(kept.map(|bytes| (STAGING, bytes))).collect();
+        sizes.sort_by_key(|(name, bytes)| (std::cmp::Reverse(*bytes), *name));
+        sizes
     }
 
     /// Fills `name` from the start, making room first.
@@ -138,7 +170,9 @@ impl Buffers {
         let seen = look(&view[..bytes as usize]);
         drop(view);
         staging.unmap();
-        if staging.size() <= MOST_STAGED {
+        if staging.size() > MOST_STAGED {
+            self.hold(|held| held.take(staging.size()));
+        } else {
             *self.staging.lock().unwrap_or_else(PoisonError::into_inner) = Some(staging);
         }
         Ok(seen)
@@ -147,21 +181,30 @@ impl Buffers {
     /// A buffer of at least `size` bytes to read by: the last one, if it is large enough.
     fn staging(&self, gpu: &Gpu, size: u64) -> Result<wgpu::Buffer, GpuError> {
         let kept = self.staging.lock().unwrap_or_else(PoisonError::into_inner).take();
-        if let Some(kept) = kept.filter(|kept| kept.size() >= size) {
-            return Ok(kept);
+        match kept {
+            Some(kept) if kept.size() >= size => return Ok(kept),
+            Some(small) => self.hold(|held| held.take(small.size())),
+            None => {}
         }
-        gpu.guarded("a readback buffer", || {
+        let staging = gpu.guarded("a readback buffer", || {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("readback"),
+                label: Some(STAGING),
                 size,
                 usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             })
-        })
+        })?;
+        self.hold(|held| held.add(size));
+        Ok(staging)
     }
 
     /// Bytes that were asked for under `name`; 0 if there is none.
     pub fn size(&self, name: &str) -> u64 {
         self.named.get(name).map_or(0, |slot| slot.bytes)
     }
+}
+
+/// Bytes of a buffer that is to hold so many.
+fn rounded(bytes: u64) -> u64 {
+    bytes.next_multiple_of(16).max(SMALLEST)
 }

@@ -8,6 +8,12 @@ use crate::shader::BALLOTS;
 /// The environment variable that picks an adapter by its number in `lucerna doctor`.
 const ADAPTER_VARIABLE: &str = "LUCERNA_ADAPTER";
 
+/// The environment variable that has a device be taken for one with smaller buffers.
+const BUFFER_VARIABLE: &str = "LUCERNA_MOST_BUFFER";
+
+/// Bytes of a buffer that the variable can ask for at least: each fixed array fits.
+const LEAST_BUFFER: u64 = 64 << 10;
+
 /// Features that are used where they are there; each has a fallback.
 fn wanted_features() -> wgpu::Features {
     wgpu::Features::SUBGROUP
@@ -94,12 +100,37 @@ fn chosen_index(adapters: &[wgpu::Adapter]) -> Result<usize, GpuError> {
     })
 }
 
+/// Bytes that a buffer may have at most, where the environment says so.
+fn asked_buffer() -> Result<Option<u64>, GpuError> {
+    let Some(text) = std::env::var_os(BUFFER_VARIABLE) else { return Ok(None) };
+    let asked = text.to_string_lossy().trim().to_owned();
+    match asked.parse() {
+        _ if asked.is_empty() => Ok(None),
+        Ok(bytes) if bytes >= LEAST_BUFFER => Ok(Some(bytes)),
+        _ => Err(GpuError::NoSuchBuffer { variable: BUFFER_VARIABLE, asked, least: LEAST_BUFFER }),
+    }
+}
+
+/// What an adapter has, with buffers of so many bytes at most.
+fn limits_of(adapter: &wgpu::Adapter, most: Option<u64>) -> wgpu::Limits {
+    let mut limits = adapter.limits();
+    if let Some(most) = most {
+        // WGSL's arrays are bound in whole vectors.
+        let most = most / 16 * 16;
+        limits.max_buffer_size = limits.max_buffer_size.min(most);
+        limits.max_storage_buffer_binding_size = limits.max_storage_buffer_binding_size.min(most);
+        limits.max_uniform_buffer_binding_size = limits.max_uniform_buffer_binding_size.min(most);
+    }
+    limits
+}
+
 /// Lists the adapters, in the order of their numbers.
 pub fn adapters() -> Vec<AdapterSummary> {
     let adapters = ordered_adapters(&instance());
     let chosen = chosen_index(&adapters).ok();
+    let most = asked_buffer().ok().flatten();
     let summary = |(i, adapter): (usize, &wgpu::Adapter)| {
-        let (info, limits) = (adapter.get_info(), adapter.limits());
+        let (info, limits) = (adapter.get_info(), limits_of(adapter, most));
         AdapterSummary {
             name: info.name,
             backend: info.backend.to_string(),
@@ -120,6 +151,18 @@ impl Gpu {
     /// Bytes of the largest array that a kernel can read.
     pub fn most_bytes(&self) -> u64 {
         self.limits.max_storage_buffer_binding_size.min(self.limits.max_buffer_size)
+    }
+
+    /// Refuses what a kernel could not read as one array of so many bytes.
+    pub fn check_size(&self, name: &'static str, bytes: u64) -> Result<(), GpuError> {
+        let limits =
+            [(self.limits.max_storage_buffer_binding_size, "one binding"), (self.limits.max_buffer_size, "one buffer")];
+        match limits.into_iter().find(|(limit, _)| bytes > *limit) {
+            None => Ok(()),
+            Some((limit, what)) => {
+                Err(GpuError::TooLarge { name, need: bytes, limit, adapter: self.info.name.clone(), what })
+            }
+        }
     }
 
     /// Opens the best adapter, or the one `LUCERNA_ADAPTER` names, with its own limits.
@@ -164,7 +207,7 @@ impl Gpu {
     fn open_adapter(adapter: &wgpu::Adapter, wanted: wgpu::Features) -> Result<Arc<Gpu>, GpuError> {
         let info = adapter.get_info();
         let features = adapter.features() & wanted;
-        let limits = adapter.limits();
+        let limits = limits_of(adapter, asked_buffer()?);
         let request = adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("lucerna"),
             required_features: features,

@@ -18,6 +18,12 @@ pub enum GpuError {
     #[diagnostic(help("the adapters are {known}; without {variable}, the first is taken"))]
     NoSuchAdapter { variable: &'static str, asked: String, known: String },
 
+    #[error("{variable} is `{asked}`, which is no number of bytes that a buffer could have at most")]
+    #[diagnostic(help(
+        "give bytes, at least {least}; without {variable}, buffers are as large as the adapter lets them"
+    ))]
+    NoSuchBuffer { variable: &'static str, asked: String, least: u64 },
+
     #[error("no adapter can show pictures on this display")]
     #[diagnostic(help("`lucerna render` draws without a display; `lucerna doctor` lists the adapters"))]
     NoPresenter,

@@ -8,7 +8,7 @@ use super::compiler::Compiler;
 use super::pipeline::Pipeline;
 use super::{Gpu, GpuError};
 use crate::passes::Pass;
-use crate::shader::{Features, Library, Linked, Parameter, Place};
+use crate::shader::{Features, Library, Linked, Parameter, Place, Probe};
 
 /// The pipelines of a library.
 pub struct Pipelines {
@@ -17,13 +17,16 @@ pub struct Pipelines {
     kept: Kept,
     /// All that the library declares; none where that can't be said, which linking does.
     parameters: Arc<[Parameter]>,
+    /// All names that the library shows numbers by.
+    probes: Arc<[Probe]>,
     values: Values,
 }
 
 impl Pipelines {
     pub fn new(gpu: Arc<Gpu>, library: Library) -> Self {
         let parameters = parameters_of(&library);
-        Self { library, compiler: Compiler::new(gpu), kept: HashMap::new(), parameters, values: Values::new() }
+        let probes = library.probes().into();
+        Self { library, compiler: Compiler::new(gpu), kept: HashMap::new(), parameters, probes, values: Values::new() }
     }
 
     pub fn library(&self) -> &Library {
@@ -37,6 +40,11 @@ impl Pipelines {
     /// All parameters that the library declares, by name.
     pub fn parameters(&self) -> &Arc<[Parameter]> {
         &self.parameters
+    }
+
+    /// All names that the library shows numbers by, in order: the place of one is its number.
+    pub fn probes(&self) -> &Arc<[Probe]> {
+        &self.probes
     }
 
     pub fn values(&self) -> &Values {
@@ -129,6 +137,7 @@ impl Pipelines {
         let gone = old.iter().filter(|(name, _)| !fresh.contains_key(*name)).map(|(_, used)| used.pass);
         let changed = new.chain(gone).collect();
         self.parameters = parameters_of(&library);
+        self.probes = library.probes().into();
         let library = std::mem::replace(&mut self.library, library);
         let kept = std::mem::replace(&mut self.kept, kept);
         (Code { library, uses: old, kept }, changed)

@@ -13,7 +13,7 @@ use crate::shader::{Features, LOOP_FAULTS, SHADER_VALUES};
 /// What identifies a bind group: its pipeline, and each buffer by name and generation.
 type BindKey = (u32, Vec<(&'static str, u64)>);
 
-/// More cached bind groups than this, and all are dropped: the buffers of old scenes go with them.
+/// More cached bind groups than this, and all are dropped: some are of what is bound no more.
 const KEPT_BIND_GROUPS: usize = 512;
 
 /// Name of the buffer that holds the parameters of a recording.
@@ -63,6 +63,16 @@ impl Player {
     /// Bytes of parameters sent so far.
     pub fn params_sent(&self) -> u64 {
         self.params_sent
+    }
+
+    /// Drops the bind groups of a buffer, which would keep its memory.
+    pub(super) fn forget(&mut self, buffer: &str) {
+        self.bind_groups.retain(|(_, bound), _| bound.iter().all(|(name, _)| *name != buffer));
+    }
+
+    /// Bind groups that are kept.
+    pub(super) fn bind_groups(&self) -> usize {
+        self.bind_groups.len()
     }
 
     /// Submits all dispatches of a recording, in order.

@@ -1,7 +1,7 @@
 //! What to do about an array that a device has no room for: what of the scene it grows with, and how much of that there can be.
 
 use crate::layout::alias::AliasColumn;
-use crate::layout::film::FilmPixel;
+use crate::layout::film::{FilmPixel, RobustPixel};
 use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{GatherPoint, LentPoint, MaterialRecord, RadianceSample, Shading};
@@ -29,12 +29,13 @@ fn growth(name: &str) -> Option<(Grows, usize)> {
         "sky" => (Grows::Sky, size_of::<glam::Vec4>()),
         "sky_columns" => (Grows::Sky, size_of::<AliasColumn>()),
         "film" => (Grows::Film, size_of::<FilmPixel>()),
+        "blocks" => (Grows::Film, size_of::<RobustPixel>()),
         "gather_points" => (Grows::Film, size_of::<GatherPoint>()),
         "lent_points" => (Grows::Film, size_of::<LentPoint>()),
         "gather_materials" => (Grows::Film, size_of::<MaterialRecord>()),
         "radiance" => (Grows::Film, size_of::<RadianceSample>()),
         "picture" => (Grows::Film, 4),
-        "debug_colours" => (Grows::Film, size_of::<glam::Vec4>()),
+        "debug_colours" | "probe_values" => (Grows::Film, size_of::<glam::Vec4>()),
         "triangles" => (Grows::Triangles, size_of::<Triangle>()),
         "shading" => (Grows::Triangles, size_of::<Shading>()),
         "lights" => (Grows::Lights, size_of::<LightRecord>()),
@@ -66,7 +67,9 @@ pub fn advice(name: &str, limit: u64) -> String {
     let fits = match grows {
         // The sphere by longitude and latitude is twice as wide as high.
         Grows::Sky => format!("one of {}x{} pixels fits", 2 * (most / 2).isqrt(), (most / 2).isqrt()),
-        Grows::Film => format!("{most} pixels fit, such as {0}x{0}", most.isqrt()),
+        Grows::Film => {
+            format!("{most} pixels fit, such as {0}x{0}; `lucerna render` makes larger ones in bands", most.isqrt())
+        }
         _ => format!("about {most} fit"),
     };
     format!("{}: {fits}; or an adapter with larger buffers (`lucerna doctor`)", smaller(name))

@@ -8,10 +8,10 @@ use super::compiler::Compiler;
 use super::pipelines::Pipelines;
 use super::player::{PARAMS, Player, Stage};
 use super::timing::Timer;
-use super::{Buffers, Gpu, GpuError, PassTiming};
+use super::{Buffers, DeviceMemory, Gpu, GpuError, PassTiming};
 use crate::parallel;
 use crate::passes::{Pass, Recording};
-use crate::shader::{ErrorKind, Features, LOOP_FAULTS, Library, Parameter, ShaderError};
+use crate::shader::{ErrorKind, Features, LOOP_FAULTS, Library, Parameter, Probe, ShaderError};
 
 /// Runs recordings on one device.
 pub struct Runtime {
@@ -29,10 +29,10 @@ impl Runtime {
     pub fn new(gpu: Arc<Gpu>, library: Library) -> Self {
         Self {
             pipelines: Pipelines::new(gpu.clone(), library),
+            features: Features::new(),
             gpu,
             buffers: Buffers::default(),
             player: Player::default(),
-            features: Features::new(),
             timer: None,
             uploads: BTreeMap::new(),
         }
@@ -57,6 +57,11 @@ impl Runtime {
         self.pipelines.parameters()
     }
 
+    /// All names that the library shows numbers by, in order: the place of one is its number.
+    pub fn probes(&self) -> &Arc<[Probe]> {
+        self.pipelines.probes()
+    }
+
     /// What parameters are set to.
     pub fn values(&self) -> &Values {
         self.pipelines.values()
@@ -79,12 +84,27 @@ impl Runtime {
 
     /// Makes sure that a buffer holds at least `bytes`; true if it is new and so all zeros.
     pub fn reserve(&mut self, name: &'static str, bytes: u64) -> Result<bool, GpuError> {
+        self.let_go(name, bytes);
         self.buffers.reserve(&self.gpu, name, bytes)
+    }
+
+    /// Has nothing keep a buffer that is to give way to one that holds `bytes`, so that the device has its memory for that.
+    fn let_go(&mut self, name: &'static str, bytes: u64) {
+        if self.buffers.replaces(name, bytes) {
+            self.player.forget(name);
+        }
+    }
+
+    /// Drops a buffer, and what keeps its memory; nothing if there is none.
+    pub fn release(&mut self, name: &'static str) {
+        self.player.forget(name);
+        self.buffers.release(name);
     }
 
     /// Fills a buffer from the start, making room first.
     pub fn upload<T: bytemuck::NoUninit>(&mut self, name: &'static str, items: &[T]) -> Result<(), GpuError> {
         *self.uploads.entry(name).or_default() += size_of_val(items) as u64;
+        self.let_go(name, size_of_val(items) as u64);
         self.buffers.upload(&self.gpu, name, bytemuck::cast_slice(items))
     }
 
@@ -141,6 +161,7 @@ impl Runtime {
 
     /// Copies a buffer's contents to another, which is made as large; nothing if there is no such buffer.
     pub fn copy(&mut self, from: &'static str, to: &'static str) -> Result<(), GpuError> {
+        self.let_go(to, self.buffers.size(from));
         self.buffers.copy(&self.gpu, from, to)
     }
 
@@ -211,6 +232,16 @@ impl Runtime {
     /// Bytes written to each buffer so far; `params` are the parameters of dispatches.
     pub fn uploads(&self) -> &BTreeMap<&'static str, u64> {
         &self.uploads
+    }
+
+    /// Bind groups that are kept for recordings to come.
+    pub fn bind_groups(&self) -> usize {
+        self.player.bind_groups()
+    }
+
+    /// What is held on the device.
+    pub fn memory(&self) -> DeviceMemory {
+        DeviceMemory { held: self.buffers.held(), buffers: self.buffers.sizes() }
     }
 
     /// GPU time by pass since the last call; empty without timing.

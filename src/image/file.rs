@@ -5,9 +5,38 @@
 use std::fs::File;
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Links that are followed from one to the next; systems follow 40.
 const MOST_LINKS: usize = 40;
+
+/// The files that are not whole yet, by their other names.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Keeps a file on that list.
+struct Unfinished(PathBuf);
+
+impl Unfinished {
+    fn list(path: &Path) -> Self {
+        unfinished().push(path.to_path_buf());
+        Self(path.to_path_buf())
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        unfinished().retain(|path| *path != self.0);
+    }
+}
+
+fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes all files that are not whole: for a process that ends at once.
+pub fn remove_unfinished() {
+    unfinished().iter().for_each(|path| drop(std::fs::remove_file(path)));
+}
 
 /// Why a file could not be written. Each names the file and says what to do.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -99,6 +128,7 @@ fn written(
     content: impl FnOnce(&mut BufWriter<&File>) -> std::io::Result<()>,
 ) -> std::io::Result<tempfile::NamedTempFile> {
     let file = temporary(place)?;
+    let _unfinished = Unfinished::list(file.path());
     let mut out = BufWriter::new(file.as_file());
     content(&mut out)?;
     out.flush()?;

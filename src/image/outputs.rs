@@ -4,6 +4,8 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use super::file::{self, SaveError};
+use super::source::{Frame, Metadata};
+use super::strips::Strips;
 use super::write::{Kind, Output, Picture};
 use crate::parallel;
 
@@ -39,6 +41,11 @@ impl Outputs {
         self.files.is_empty()
     }
 
+    /// Whether all of them are pictures.
+    pub fn are_pictures(&self) -> bool {
+        self.files.iter().all(|file| file.kind != Kind::Json)
+    }
+
     /// The names of the files, as the user gave them.
     pub fn names(&self) -> Vec<String> {
         self.files.iter().map(name).collect()
@@ -52,30 +59,53 @@ impl Outputs {
     /// Writes all that can be written, and keeps those that were. The report, which `report` makes of them, comes last:
     /// it names no file that could not be written before it.
     pub fn write(&mut self, picture: &Picture, report: impl FnOnce(&Self) -> serde_json::Value) -> Vec<SaveError> {
-        let mut failures = Vec::new();
-        let (reports, pictures): (Vec<_>, Vec<_>) =
-            std::mem::take(&mut self.files).into_iter().enumerate().partition(|(_, file)| file.kind == Kind::Json);
+        let pictures: Vec<&Output> = self.files.iter().filter(|file| file.kind != Kind::Json).collect();
         let write = |number: usize| {
             let begin = Instant::now();
-            (pictures[number].1.write(picture), begin.elapsed().as_secs_f64())
+            pictures[number].write(picture).map(|()| begin.elapsed().as_secs_f64())
         };
-        let mut kept = Vec::new();
-        for ((place, file), (result, seconds)) in pictures.iter().zip(parallel::map(pictures.len(), write)) {
-            match result {
-                Ok(()) => {
-                    self.seconds.push((name(file), seconds));
-                    kept.push((*place, file.clone()));
+        let written = parallel::map(pictures.len(), write);
+        let endings = pictures.into_iter().cloned().zip(written).collect();
+        self.end(endings, report)
+    }
+
+    /// Begins to write pictures whose rows come strip by strip. `most`: bytes that their metadata take at most, as JSON.
+    pub fn begin(&self, frame: Frame, most: usize) -> Strips {
+        Strips::begin(&self.files, frame, most)
+    }
+
+    /// Ends what was begun, as [`write`](Self::write) ends: keeps the files that were written, and writes the report.
+    pub fn finish(
+        &mut self,
+        strips: Strips,
+        metadata: &Metadata,
+        report: impl FnOnce(&Self) -> serde_json::Value,
+    ) -> Vec<SaveError> {
+        self.end(strips.finish(metadata), report)
+    }
+
+    /// Drops the pictures that could not be written, then writes the report.
+    fn end(
+        &mut self,
+        endings: Vec<(Output, Result<f64, SaveError>)>,
+        report: impl FnOnce(&Self) -> serde_json::Value,
+    ) -> Vec<SaveError> {
+        let mut failures = Vec::new();
+        let place = |file: &Output| self.files.iter().position(|known| known == file);
+        let mut endings: Vec<_> = endings.into_iter().map(|(file, ending)| (place(&file), file, ending)).collect();
+        endings.sort_by_key(|(place, ..)| *place);
+        for (_, file, ending) in endings {
+            match ending {
+                Ok(seconds) => self.seconds.push((name(&file), seconds)),
+                Err(failure) => {
+                    self.files.retain(|known| *known != file);
+                    failures.push(failure);
                 }
-                Err(failure) => failures.push(failure),
             }
         }
-        kept.extend(reports.iter().cloned());
-        kept.sort_by_key(|(place, _)| *place);
-        self.files = kept.into_iter().map(|(_, file)| file).collect();
         let report = report(self);
-        let picture = Picture { report: &report, ..*picture };
         self.files.retain(|output| {
-            output.kind != Kind::Json || output.write(&picture).map_err(|failure| failures.push(failure)).is_ok()
+            output.kind != Kind::Json || output.write_report(&report).map_err(|failure| failures.push(failure)).is_ok()
         });
         failures
     }

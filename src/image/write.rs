@@ -1,17 +1,15 @@
 //! Writes a finished film as PNG, EXR or JSON.
 
 use std::fs::File;
-use std::io::{BufWriter, Seek, Write};
+use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
-use exr::image::{Encoding, Image, Layer, SpecificChannels};
-use exr::math::Vec2;
-use exr::meta::attribute::{AttributeValue, IntegerBounds, Text};
-use exr::meta::header::LayerAttributes;
 use glam::UVec2;
 
-use super::exr::METADATA;
 use super::file::{self, SaveError};
+use super::source::{Frame, Metadata, Source, Strip, Told};
+use super::write_exr::write_exr;
+use super::write_png::write_png;
 use crate::components::Crop;
 
 /// What can be written about a render.
@@ -26,7 +24,7 @@ pub struct Picture<'a> {
     /// The window as it is shown: sRGB, 8 bits, the fourth is ignored.
     pub display: &'a [[u8; 4]],
     /// What is needed to repeat the render, as keys and values; written into PNG and EXR.
-    pub metadata: &'a [(&'static str, String)],
+    pub metadata: &'a Metadata,
     /// The report: the content of a JSON output.
     pub report: &'a serde_json::Value,
 }
@@ -72,13 +70,26 @@ impl Output {
 
     /// Writes the picture as its kind of file.
     pub fn write(&self, picture: &Picture) -> Result<(), SaveError> {
-        self.write_by(|out| match self.kind {
-            Kind::Png => write_png(picture, out),
-            Kind::Exr => write_exr(picture, out),
-            Kind::Json => {
-                serde_json::to_writer_pretty(&mut *out, picture.report)?;
-                out.write_all(b"\n")
-            }
+        match self.kind {
+            Kind::Png | Kind::Exr => self.write_rows(&picture.frame(), &mut Whole::of(picture)),
+            Kind::Json => self.write_report(picture.report),
+        }
+    }
+
+    /// Writes a picture whose rows come one after the other; of a JSON output, nothing.
+    pub fn write_rows(&self, frame: &Frame, source: &mut dyn Source) -> Result<(), SaveError> {
+        match self.kind {
+            Kind::Png => self.write_by(|out| write_png(frame, source, out)),
+            Kind::Exr => self.write_by(|out| write_exr(frame, source, out)),
+            Kind::Json => Ok(()),
+        }
+    }
+
+    /// Writes the report alone.
+    pub fn write_report(&self, report: &serde_json::Value) -> Result<(), SaveError> {
+        self.write_by(|out| {
+            serde_json::to_writer_pretty(&mut *out, report)?;
+            out.write_all(b"\n")
         })
     }
 
@@ -91,59 +102,31 @@ impl Output {
     }
 }
 
-/// 8-bit sRGB of the window, with the metadata as text.
-fn write_png(picture: &Picture, out: &mut impl Write) -> std::io::Result<()> {
-    let size = picture.window.size();
-    let mut encoder = png::Encoder::new(out, size.x, size.y);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    // Pictures of noise hardly get smaller by more effort.
-    encoder.set_compression(png::Compression::Fast);
-    for (key, value) in picture.metadata {
-        let (key, value) = ((*key).to_owned(), value.clone());
-        // A tEXt chunk is Latin-1; names of files need not be.
-        let added =
-            if value.is_ascii() { encoder.add_text_chunk(key, value) } else { encoder.add_itxt_chunk(key, value) };
-        added.map_err(std::io::Error::from)?;
+impl Picture<'_> {
+    pub fn frame(&self) -> Frame {
+        Frame { size: self.size, window: self.window }
     }
-    let mut writer = encoder.write_header()?;
-    let pixels: Vec<u8> = picture.display.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect();
-    writer.write_image_data(&pixels)?;
-    writer.finish()?;
-    Ok(())
 }
 
-/// Linear 32-bit floats, R, G and B, losslessly compressed. A crop is the data window within the whole picture's
-/// display window. The metadata are one text attribute, `lucerna`: a JSON object in UTF-8. (Several attributes would be
-/// written in the order of a hash map, another one in each run.)
-fn write_exr(picture: &Picture, out: &mut (impl Write + Seek)) -> std::io::Result<()> {
-    let size = picture.window.size();
-    let width = size.x as usize;
-    let pixel = |at: Vec2<usize>| {
-        let [r, g, b] = picture.linear[at.y() * width + at.x()];
-        (r, g, b)
-    };
-    let mut attributes = LayerAttributes {
-        layer_position: Vec2(signed(picture.window.min.x), signed(picture.window.min.y)),
-        software_name: Some(Text::from(concat!("Lucerna ", env!("CARGO_PKG_VERSION")))),
-        ..LayerAttributes::default()
-    };
-    let metadata: serde_json::Map<_, _> =
-        picture.metadata.iter().map(|(key, value)| ((*key).to_owned(), value.as_str().into())).collect();
-    let text = serde_json::Value::Object(metadata).to_string();
-    attributes.other.insert(Text::from(METADATA), AttributeValue::Text(Text::from_slice_unchecked(text.as_bytes())));
-    let channels = SpecificChannels::rgb(pixel);
-    let layer = Layer::new((width, size.y as usize), attributes, Encoding::SMALL_LOSSLESS, channels);
-    let mut image = Image::from_layer(layer);
-    image.attributes.display_window = IntegerBounds::new((0, 0), (picture.size.x as usize, picture.size.y as usize));
-    exr::image::write::WritableImage::write(&image).to_buffered(out).map_err(|error| match error {
-        exr::error::Error::Io(source) => source,
-        other => std::io::Error::other(other),
-    })
+/// A picture that is there as a whole.
+struct Whole<'a> {
+    strip: Option<Strip<'a>>,
+    metadata: &'a Metadata,
 }
 
-/// A pixel coordinate, which is at most [`Film::MAX_SIDE`](crate::components::Film::MAX_SIDE).
-fn signed(coordinate: u32) -> i32 {
-    i32::try_from(coordinate).unwrap_or(i32::MAX)
+impl<'a> Whole<'a> {
+    fn of(picture: &Picture<'a>) -> Self {
+        let Picture { linear, display, metadata, .. } = *picture;
+        Self { strip: Some(Strip { linear, display }), metadata }
+    }
+}
+
+impl Source for Whole<'_> {
+    fn strip(&mut self) -> std::io::Result<Option<Strip<'_>>> {
+        Ok(self.strip.take())
+    }
+
+    fn metadata(&self) -> Told<'_> {
+        Told::Now(self.metadata)
+    }
 }

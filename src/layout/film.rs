@@ -21,6 +21,16 @@ gpu_struct! {
         pub halves: [FilmHalf; 2],
     }
 
+    /// A pixel's samples in blocks, beside the film: what a robust mean is made of.
+    pub struct RobustPixel {
+        /// Of the film samples whose number leaves that remainder.
+        pub blocks: [FilmHalf; ROBUST_BLOCKS as usize],
+        /// Luminance of the brightest sample; 0 where none has any.
+        pub brightest: f32,
+        /// The first film sample that is as bright.
+        pub sample: u32,
+    }
+
     /// Where a sample went wrong.
     pub struct BadSample {
         /// Row times the whole film's width plus column.
@@ -79,6 +89,8 @@ gpu_struct! {
         pub radiance_layer: u32,
         /// 1: what pixels had so far is dropped.
         pub replaces: u32,
+        /// Tiles that `tile_runs` says the samples of; 0: the batch is layers of a rectangle. Of adaptive films alone.
+        pub runs: u32,
     }
 
     /// Parameters of the display pass.
@@ -95,10 +107,14 @@ gpu_struct! {
         pub scale: f32,
         /// A `TONE_` curve.
         pub tone: u32,
+        /// 1: each half of a pixel counts alike, however many samples it has. So it is in adaptive films alone.
+        pub by_halves: u32,
     }
 }
 
 gpu_consts! {
+    /// Blocks of a pixel's samples; even, so that each is of one half.
+    pub const ROBUST_BLOCKS: u32 = 16;
     /// Entries of [`FilmCounters::log`].
     pub const BAD_LOG: u32 = 1024;
     /// A bad sample whose bounce is not known: it went bad in the film.

@@ -5,15 +5,18 @@
 
 #[macro_use]
 mod macros;
+pub mod adaptive;
 pub mod alias;
 pub mod clear;
 pub mod film;
 pub mod light;
 pub mod lint;
+pub mod probe;
 pub mod ray;
 pub mod replay;
 pub mod sky;
 pub mod sort;
+pub mod sources;
 pub mod texture;
 pub mod trace;
 pub mod tree;
@@ -53,10 +56,18 @@ pub static ALL: &[&StructLayout] = &[
     &texture::Tangents::LAYOUT,
     &film::FilmHalf::LAYOUT,
     &film::FilmPixel::LAYOUT,
+    &film::RobustPixel::LAYOUT,
     &film::BadSample::LAYOUT,
     &film::FilmCounters::LAYOUT,
     &film::AccumulateParams::LAYOUT,
     &film::DisplayParams::LAYOUT,
+    &adaptive::TileSample::LAYOUT,
+    &adaptive::TileRun::LAYOUT,
+    &adaptive::HalfMark::LAYOUT,
+    &adaptive::PixelMark::LAYOUT,
+    &adaptive::TallyRun::LAYOUT,
+    &adaptive::TileTally::LAYOUT,
+    &adaptive::TallyParams::LAYOUT,
     &sort::SortParams::LAYOUT,
     &sort::SortDigit::LAYOUT,
     &sort::SortPlan::LAYOUT,
@@ -67,6 +78,10 @@ pub static ALL: &[&StructLayout] = &[
     &lint::LintParams::LAYOUT,
     &replay::PathTurn::LAYOUT,
     &replay::Replayed::LAYOUT,
+    &sources::Contribution::LAYOUT,
+    &probe::Probed::LAYOUT,
+    &probe::ProbeChoice::LAYOUT,
+    &probe::ProbeColours::LAYOUT,
 ];
 
 /// Every struct that WGSL may read by vectors of four words: what unpacks them is imported from `package::gen` as well.
@@ -86,10 +101,13 @@ pub static VECTORS: &[Vectors] = &[
 
 /// Every constant that WGSL can import from `package::gen`, module by module.
 pub static CONSTS: &[&[GpuConst]] = &[
+    adaptive::CONSTS,
     alias::CONSTS,
     tree::CONSTS,
+    probe::CONSTS,
     ray::CONSTS,
     replay::CONSTS,
+    sources::CONSTS,
     trace::CONSTS,
     texture::CONSTS,
     film::CONSTS,

@@ -86,8 +86,9 @@ gpu_struct! {
         pub info: u32,
         /// Rays, those included that there was no room to keep.
         pub turns: u32,
-        pub pad0: u32,
-        pub pad1: u32,
+        /// Numbers that code has shown of itself, and how many of them there was room to keep.
+        pub probed: u32,
+        pub probed_kept: u32,
         pub pad2: u32,
     }
 }

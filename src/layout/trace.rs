@@ -159,6 +159,11 @@ gpu_struct! {
         pub first_layer: u32,
         /// 1: paths lend nothing, though the kernel is one whose paths may.
         pub keeps: u32,
+        /// Workgroups that trace what `tile_samples` says, a tile each; 0: the batch is layers of a rectangle. Of adaptive films alone.
+        pub tile_samples: u32,
+        pub pad0: u32,
+        pub pad1: u32,
+        pub pad2: u32,
     }
 
     /// Where a pixel gathers what the paths of its tile lend: its path's first surface. World space relative to the scene's origin.

@@ -56,11 +56,13 @@ pub enum ViewMode {
     Level = VIEW_LEVEL,
     /// What shaders show of themselves: a pass of its own.
     Debug = VIEW_LEVEL + 1,
+    /// A number that shaders show, by its size: passes of its own.
+    Probe = VIEW_LEVEL + 2,
 }
 
 impl ViewMode {
     /// All of them, with the names that people read.
-    pub const ALL: [(ViewMode, &str); 10] = [
+    pub const ALL: [(ViewMode, &str); 11] = [
         (ViewMode::Beauty, "beauty"),
         (ViewMode::Albedo, "albedo"),
         (ViewMode::Normal, "normals"),
@@ -71,5 +73,6 @@ impl ViewMode {
         (ViewMode::Texel, "texels"),
         (ViewMode::Level, "mip levels"),
         (ViewMode::Debug, "debug"),
+        (ViewMode::Probe, "probe"),
     ];
 }

@@ -11,7 +11,7 @@ pub static DEBUG: Pass = Pass {
     module: "passes/trace/debug",
     entry: "debug_view",
     features: &["debug_view"],
-    bindings: &Binding::list::<21>(&[
+    bindings: &Binding::list::<23>(&[
         &TRACED,
         &[Binding::write("debug_colours", "array<vec4<f32>>"), Binding::write("picture", "array<u32>")],
     ]),

@@ -11,7 +11,8 @@ pub struct Feature {
 }
 
 /// All of them, in the order of their names.
-pub const FEATURES: [Feature; 24] = [
+pub const FEATURES: [Feature; 25] = [
+    of("adaptive", "adaptive sampling"),
     idle("alpha", "see-through materials"),
     idle("coat", "clear coats"),
     of("cutout", "holes cut by textures"),

@@ -20,6 +20,9 @@ pub static ACCUMULATE: Pass = Pass {
         Binding::read("radiance", "array<RadianceSample>"),
         Binding::write("film", "array<FilmPixel>"),
         Binding::write("counters", "FilmCounters"),
+        Binding::read("tile_samples", "array<TileSample>").when(&["adaptive"]),
+        Binding::read("tile_runs", "array<TileRun>").when(&["adaptive"]),
+        Binding::write("marks", "array<PixelMark>").when(&["adaptive"]),
     ],
     makes: &[Makes::Film],
     twin: twin!(film::accumulate),
@@ -87,6 +90,7 @@ pub fn accumulate_params(trace: &TraceParams, exponent: i32, window: &TraceParam
         radiance_row: trace.window_width,
         radiance_layer: trace.window_width * trace.window_height,
         replaces: 0,
+        runs: 0,
     }
 }
 
@@ -124,5 +128,6 @@ pub fn display_params(size: UVec2, shown: Lattice, exponent: i32, look: Look) ->
         row_shift: shown.shift.y,
         scale: (scale as f32).clamp(f32::MIN_POSITIVE, f32::MAX),
         tone: look.tone,
+        by_halves: 0,
     }
 }

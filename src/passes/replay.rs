@@ -3,16 +3,17 @@
 use super::trace::{TRACED, reuse_buffers};
 use super::twin::twin;
 use super::{Binding, Pass, Recording, Size};
+use crate::layout::probe::{MOST_PROBED, Probed};
 use crate::layout::replay::{MOST_TURNS, PathTurn, Replayed};
 use crate::layout::trace::TraceParams;
 
-/// Traces as [`PATH`](super::trace::PATH) does, and leaves the path's rays in `turns`.
+/// Traces as [`PATH`](super::trace::PATH) does, and leaves the path's rays in `turns`, and what code shows of itself in `probed`.
 pub static REPLAY: Pass = Pass {
     name: "replay",
     module: "passes/trace/replay",
     entry: "replay",
     features: &["record"],
-    bindings: &Binding::list::<20>(&[&TRACED, &[Binding::write("replayed", "Replayed")]]),
+    bindings: &Binding::list::<22>(&[&TRACED, &[Binding::write("replayed", "Replayed")]]),
     makes: &[],
     twin: twin!(replay::replay),
 };
@@ -21,6 +22,7 @@ pub static REPLAY: Pass = Pass {
 pub fn buffers() -> Vec<(&'static str, u64)> {
     let mut buffers = reuse_buffers(1, 1, true);
     buffers.push(("turns", u64::from(MOST_TURNS) * size_of::<PathTurn>() as u64));
+    buffers.push(("probed", u64::from(MOST_PROBED) * size_of::<Probed>() as u64));
     buffers.push(("replayed", size_of::<Replayed>() as u64));
     buffers
 }

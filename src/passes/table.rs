@@ -1,6 +1,8 @@
 //! Every row, for whatever goes over all of them: validation, `check`, tests.
 
-use super::{CLEAR, Pass, debug, extend, film, lint, replay, sort, trace, tree, view};
+use super::{
+    CLEAR, Pass, adaptive, blocks, debug, extend, film, lint, probe, replay, sort, sources, trace, tree, view,
+};
 
 /// Every pass the engine can run.
 pub static TABLE: &[&Pass] = &joined::<{ count(STAGES) }>(STAGES);
@@ -23,10 +25,15 @@ const STAGES: &[&[&Pass]] = &[
         &trace::PATH,
         &trace::GATHER,
         &film::ACCUMULATE,
+        &adaptive::TALLY,
+        &blocks::BLOCKS,
         &film::DISPLAY,
         &view::VIEW,
         &debug::DEBUG,
+        &probe::PROBE,
+        &probe::PROBE_COLOURS,
         &replay::REPLAY,
+        &sources::SOURCES,
         &lint::LINT,
     ],
 ];

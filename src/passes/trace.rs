@@ -13,7 +13,7 @@ use crate::layout::trace::{
 use crate::layout::tree::FEW_TRIANGLES;
 
 /// What tracing a path reads, whatever becomes of it.
-pub const TRACED: [Binding; 19] = Binding::list::<19>(&[
+pub const TRACED: [Binding; 21] = Binding::list::<21>(&[
     &[
         Binding::read("nodes", "array<vec4<u32>>"),
         Binding::read("leaves", "array<vec4<u32>>"),
@@ -35,8 +35,13 @@ pub const TRACED: [Binding; 19] = Binding::list::<19>(&[
         Binding::write("lent_points", "array<LentPoint>").when(&["reuse"]),
         Binding::write("gather_materials", "array<MaterialRecord>").when(&["textures"]).and(&["reuse"]),
         Binding::write("turns", "array<PathTurn>").when(&["record"]),
+        Binding::write("brought", "array<Contribution>").when(&["sources"]),
+        Binding::write("probed", "array<Probed>").when(&["record"]),
     ],
 ]);
+
+/// What a batch of tiles traces.
+const TILE_SAMPLES: Binding = Binding::read("tile_samples", "array<TileSample>").when(&["adaptive"]);
 
 /// Integrators `Path` and `Bsdf`: with and without light sampling, but for point lights.
 pub static PATH: Pass = Pass {
@@ -44,7 +49,7 @@ pub static PATH: Pass = Pass {
     module: "passes/trace/path",
     entry: "path",
     features: &[],
-    bindings: &Binding::list::<20>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>")]]),
+    bindings: &Binding::list::<23>(&[&TRACED, &[Binding::write("radiance", "array<RadianceSample>"), TILE_SAMPLES]]),
     makes: &[Makes::Film],
     twin: twin!(path::PathScene::sample),
 };
@@ -55,7 +60,7 @@ pub static GATHER: Pass = Pass {
     module: "passes/trace/gather",
     entry: "gather",
     features: &[],
-    bindings: &Binding::list::<11>(&[
+    bindings: &Binding::list::<12>(&[
         &[
             Binding::read("nodes", "array<vec4<u32>>"),
             Binding::read("leaves", "array<vec4<u32>>"),
@@ -64,6 +69,7 @@ pub static GATHER: Pass = Pass {
             Binding::write("radiance", "array<RadianceSample>"),
             Binding::read("gather_points", "array<vec4<u32>>"),
             Binding::read("lent_points", "array<vec4<u32>>"),
+            TILE_SAMPLES,
         ],
         &texture_bindings(&["cutout"]),
     ]),
@@ -106,12 +112,17 @@ pub fn record_reused(recording: &mut Recording, params: &TraceParams, at_once: u
         let layers = at_once.max(1).min(params.layers - first_layer);
         let part = TraceParams { first_layer, layers, first_sample: params.first_sample + first_layer, ..*params };
         record(recording, &part);
-        let size = Size::Pixels { width: part.window_width, height: part.window_height, layers };
-        let call = recording.run(&GATHER, size).params(&part);
-        if textured {
-            call.bind("materials", "gather_materials");
-        }
+        record_gather(recording, &part, textured);
         first_layer += layers;
+    }
+}
+
+/// Records what pixels gather of what was lent in the batch of `params`, which is of whole blocks.
+pub fn record_gather(recording: &mut Recording, params: &TraceParams, textured: bool) {
+    let size = Size::Pixels { width: params.window_width, height: params.window_height, layers: params.layers };
+    let call = recording.run(&GATHER, size).params(params);
+    if textured {
+        call.bind("materials", "gather_materials");
     }
 }
 
@@ -147,6 +158,8 @@ pub struct Needs<'a> {
     pub normals: bool,
     /// Russian roulette.
     pub roulette: bool,
+    /// Tiles get as many samples as they need.
+    pub adaptive: bool,
     /// Paths are reused within tiles.
     pub reuse: bool,
     /// Stratified random numbers instead of independent ones.
@@ -160,6 +173,7 @@ impl Needs<'_> {
         let mapped = |test: fn(&MaterialMaps) -> bool| self.maps.iter().any(test);
         let flagged = |flag: u32| self.materials.iter().any(|m| m.flags & flag != 0);
         let wanted = [
+            ("adaptive", self.adaptive),
             ("alpha", any(|m| m.transparency > 0.0)),
             ("coat", any(|m| m.coat > 0.0)),
             ("cutout", mapped(|m| m.opacity != 0)),

@@ -5,7 +5,9 @@
 
 use glam::UVec2;
 
-use crate::components::{Crop, DiffuseMap, Energy, Film, Integrator, Render, Reuse, Sampler, TextureFilter, Tone};
+use crate::components::{
+    Adaptive, Crop, DiffuseMap, Energy, Film, Integrator, Render, Reuse, Sampler, TextureFilter, Tone,
+};
 
 /// Everything that the table is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -111,7 +113,7 @@ pub static SETTINGS: &[Setting] = &[
         group: Group::Render,
         value: Value::Whole { least: 0, most: u32::MAX, at: |s| &mut s.render.seed },
         flag: Some(Flag { name: "seed", value: "N", help: "Seed of all random numbers" }),
-        panel: Some(Panel { line: 9, label: "seed" }),
+        panel: Some(Panel { line: 10, label: "seed" }),
     },
     Setting {
         field: "integrator",
@@ -161,25 +163,36 @@ pub static SETTINGS: &[Setting] = &[
         panel: Some(Panel { line: 7, label: "reuse of paths" }),
     },
     Setting {
+        field: "adaptive",
+        group: Group::Render,
+        value: Value::Choice(|s| &mut s.render.adaptive),
+        flag: Some(Flag {
+            name: "adaptive",
+            value: "ADAPTIVE",
+            help: "Whether noisy parts of the picture get more samples, and quiet ones fewer",
+        }),
+        panel: Some(Panel { line: 8, label: "adaptive" }),
+    },
+    Setting {
         field: "energy",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.energy),
         flag: None,
-        panel: Some(Panel { line: 8, label: "energy" }),
+        panel: Some(Panel { line: 9, label: "energy" }),
     },
     Setting {
         field: "texture_filter",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.texture_filter),
         flag: Some(Flag { name: "texture-filter", value: "FILTER", help: "How much of a texture a lookup takes in" }),
-        panel: Some(Panel { line: 10, label: "texture filter" }),
+        panel: Some(Panel { line: 11, label: "texture filter" }),
     },
     Setting {
         field: "texture",
         group: Group::Render,
         value: Value::Choice(|s| &mut s.render.diffuse_map),
         flag: None,
-        panel: Some(Panel { line: 11, label: "map_Kd" }),
+        panel: Some(Panel { line: 12, label: "map_Kd" }),
     },
     Setting {
         field: "texture_size",
@@ -298,6 +311,18 @@ impl Named for Reuse {
             variant: "Tiles",
             name: "tiles",
             help: "16 pixels gather what each other's paths find behind their first bounce",
+        },
+    ];
+}
+
+impl Named for Adaptive {
+    const WORDS: &'static [Word<Self>] = &[
+        Word { value: Self::Off, variant: "Off", name: "off", help: "Every pixel gets as many samples" },
+        Word {
+            value: Self::On,
+            variant: "On",
+            name: "on",
+            help: "Tiles of 8x8 pixels get samples by their noise: as many on average",
         },
     ];
 }

@@ -28,11 +28,7 @@ pub fn check(
     library: &Library,
     features: &Features,
 ) -> Result<(Module, ModuleInfo), ShaderError> {
-    let mut module =
-        naga::front::wgsl::parse_str(text).map_err(|error| parse_error(&error, text, map, library, features))?;
-    if let Some((range, message)) = depth::check_module(&module) {
-        return Err(map.error(ErrorKind::Type, range.unwrap_or_else(|| map.first_declaration()), message));
-    }
+    let mut module = parse(text, map, library, features)?;
     validate(&module, text, map, features)?;
     check_bindings(&module, map)?;
     for layout in &generated.structs {
@@ -41,6 +37,18 @@ pub fn check(
     naga::compact::compact(&mut module, KeepUnused::No);
     let info = validate(&module, text, map, features)?;
     Ok((module, info))
+}
+
+/// Makes naga's module of a joined text, no deeper than a stack carries.
+pub fn parse(text: &str, map: &SourceMap, library: &Library, features: &Features) -> Result<Module, ShaderError> {
+    let module =
+        naga::front::wgsl::parse_str(text).map_err(|error| parse_error(&error, text, map, library, features))?;
+    match depth::check_module(&module) {
+        Some((range, message)) => {
+            Err(map.error(ErrorKind::Type, range.unwrap_or_else(|| map.first_declaration()), message))
+        }
+        None => Ok(module),
+    }
 }
 
 /// Validates for an adapter without optional features: what a shader needs beyond has no place in a portable engine, but in code that

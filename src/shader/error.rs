@@ -31,6 +31,8 @@ pub enum ErrorKind {
     Type,
     /// A parameter whose declaration says no number, or none that it may be.
     Parameter,
+    /// A number that code wants to show of itself, and can't.
+    Probe,
     /// A binding that is missing, used twice, or of a kind that passes do not have.
     Binding,
     /// A shared struct that naga lays out otherwise than Rust.

@@ -15,6 +15,7 @@ use super::generated::Shared;
 use super::module::{self, Module};
 use super::names;
 use super::parameter::{self, Parameter};
+use super::probe::{self, Probe};
 use super::token;
 
 /// Every file of shaders/: (module, text).
@@ -166,6 +167,18 @@ impl Library {
             }
         }
         Ok(found.into_values().collect())
+    }
+
+    /// Every name that code of any module shows numbers by, in order: the place of one is its number. What can't be read, or is no WGSL, has
+    /// none; a call that is wrong is linking's to tell.
+    pub fn probes(&self) -> Vec<Probe> {
+        let mut names = BTreeMap::new();
+        for source in self.modules.values().flatten().filter(|source| source.text.contains("probe")) {
+            if let Ok(tokens) = token::tokenize(source) {
+                probe::add_names(source, &tokens, &mut names);
+            }
+        }
+        names.into_values().collect()
     }
 
     /// The text of a module as it was read; None for one that is unknown or can't be read.

@@ -11,10 +11,11 @@ use super::generated::Generated;
 use super::library::Library;
 use super::module::{Import, Module, Named};
 use super::parameter::Parameter;
+use super::probe::Call;
 use super::source_map::SourceMap;
 use super::stack::on_large_stack;
 use super::values::{self, LinkedParameter};
-use super::{Features, budget, check, depth, token};
+use super::{Features, budget, check, depth, probe, token};
 
 /// A module with all it imports: parsed, valid, and rid of what no entry point uses.
 #[derive(Debug)]
@@ -138,15 +139,17 @@ fn link(library: &Library, root: &str, features: &Features) -> Result<Linked, Sh
     closure.check_uses(&owners)?;
     closure.check_shared(library)?;
     closure.check_parameters()?;
-    let (text, map) = closure.join();
+    let (text, map) = closure.joined(library, features)?;
     let (mut module, info) = check::check(&text, &map, &closure.generated, library, features)?;
+    closure.try_probes(library, root, features)?;
     let read = values::settle(&mut module);
     let linked = |(word, parameter): (usize, &Parameter)| LinkedParameter {
         parameter: parameter.clone(),
         is_read: read.contains(&word),
     };
     let parameters = closure.parameters().enumerate().map(linked).collect();
-    let named = closure.modules.iter().flat_map(|(_, module)| &module.features);
+    let listeners = if closure.probes().next().is_some() { probe::listeners() } else { Features::new() };
+    let named = closure.modules.iter().flat_map(|(_, module)| &module.features).chain(&listeners);
     let edited = closure.modules.iter().any(|(name, _)| !library.is_embedded(name));
     let limited = edited || library.is_limited();
     let (_, last) = closure.modules.last().expect("invariant: a closure ends in the module that was asked for");
@@ -277,8 +280,43 @@ impl Closure {
         Ok(())
     }
 
-    /// One text: directives, generated declarations, modules.
-    fn join(&self) -> (String, SourceMap) {
+    /// The numbers that its modules show, with the modules that do, in order.
+    fn probes(&self) -> impl Iterator<Item = (&Module, &Call)> {
+        self.modules.iter().flat_map(|(_, module)| module.probes.iter().map(move |call| (module, call)))
+    }
+
+    /// One text, in which numbers that are shown are heard, where somebody listens.
+    fn joined(&self, library: &Library, features: &Features) -> Result<(String, SourceMap), ShaderError> {
+        let count = self.probes().count();
+        if count == 0 || !probe::is_heard(features) {
+            return Ok(self.join(&[]));
+        }
+        let names = library.probes();
+        probe::check_number(&names)?;
+        let asking: Vec<String> = (0..count).map(probe::asking).collect();
+        let (text, map) = self.join(&asking);
+        let functions = probe::functions(&check::parse(&text, &map, library, features)?, count);
+        let calls = self.probes().zip(functions).map(|((module, call), function)| {
+            let function = function.map_err(|ty| probe::unknown_type(&module.source, call, &ty))?;
+            let number = names.partition_point(|known| known.name < call.name);
+            Ok(probe::calling(function, number))
+        });
+        let calls = calls.collect::<Result<Vec<String>, ShaderError>>()?;
+        Ok(self.join(&calls))
+    }
+
+    /// Tells what is wrong with numbers that are shown where nobody listens.
+    fn try_probes(&self, library: &Library, root: &str, features: &Features) -> Result<(), ShaderError> {
+        if self.probes().next().is_none() || probe::is_heard(features) {
+            return Ok(());
+        }
+        let heard = features.iter().cloned().chain([probe::TRIED.to_owned()]).collect();
+        link(library, root, &heard).map(|_| ())
+    }
+
+    /// One text: directives, generated declarations, modules. `calls` stand in the places of what is before the values that are shown; none
+    /// where nobody listens.
+    fn join(&self, calls: &[String]) -> (String, SourceMap) {
         let mut text = String::new();
         let mut map = SourceMap::default();
         for (_, module) in &self.modules {
@@ -288,12 +326,16 @@ impl Closure {
         }
         map.append(&mut text, &self.generated.source.text, &self.generated.source, 0);
         let parameters: BTreeMap<&str, &Parameter> = self.parameters().map(|own| (own.name.as_str(), own)).collect();
+        let mut calls = calls.iter();
         for (_, module) in &self.modules {
-            let replaced = module.uses.iter().filter(|used| module.knows(&used.name)).filter_map(|used| {
+            let read = module.uses.iter().filter(|used| module.knows(&used.name)).filter_map(|used| {
                 let parameter = parameters.get(used.name.as_str())?;
                 Some((&used.range, values::access(parameter)))
             });
-            map.append_replaced(&mut text, &module.text, &module.source, replaced);
+            let shown = module.probes.iter().zip(&mut calls).map(|(call, by)| (&call.head, by.clone()));
+            let mut replaced: Vec<_> = read.chain(shown).collect();
+            replaced.sort_by_key(|(range, _)| range.start);
+            map.append_replaced(&mut text, &module.text, &module.source, replaced.into_iter());
         }
         (text, map)
     }
@@ -314,6 +356,11 @@ impl Walk<'_> {
         self.path.push(name.to_owned());
         for import in &module.imports {
             self.follow(&module.source, import)?;
+        }
+        if let Some(call) = module.probes.first().filter(|_| probe::is_heard(self.features)) {
+            let [listener, function] = probe::CALLED.map(str::to_owned);
+            let item = Named { name: function, range: call.head.clone() };
+            self.follow(&module.source, &Import { module: listener, item })?;
         }
         self.path.pop();
         self.done.push((name.to_owned(), module));
@@ -354,6 +401,7 @@ impl Walk<'_> {
         if imported.is_some_and(|(_, scanned)| scanned.declarations.iter().any(|known| known.name == item.name)) {
             return Ok(());
         }
-        Err(error(ErrorKind::Import, format!("`{module}` declares no `{}` under these features", item.name)))
+        let none = error(ErrorKind::Import, format!("`{module}` declares no `{}` under these features", item.name));
+        Err(if probe::is_call(&item.name) { none.help(probe::NO_IMPORT) } else { none })
     }
 }

@@ -5,7 +5,7 @@
 //! behind what it imports, and nothing in it moves, so that an error of naga has its place in the original file.
 //! `package::gen` holds the structs and constants of [`crate::layout`]. `@if(feature)`, `@elif` and `@else` stand before
 //! declarations, statements, struct members and parameters of functions. `override`, with or without our `@range`, declares what
-//! is set while it runs ([`Parameter`]).
+//! is set while it runs ([`Parameter`]); `probe("name", value);` shows a number where somebody listens ([`Probe`]).
 
 mod budget;
 mod check;
@@ -21,6 +21,7 @@ mod message;
 mod module;
 mod names;
 mod parameter;
+mod probe;
 mod reflect;
 mod seek;
 mod site;
@@ -40,6 +41,7 @@ pub use library::Library;
 pub use link::Linked;
 pub use names::module_name;
 pub use parameter::{Parameter, ParameterKind};
+pub use probe::Probe;
 pub use reflect::{BoundResource, EntryPoint, ResourceKind};
 pub use stack::on_large_stack;
 pub use values::{LinkedParameter, SHADER_VALUES};

@@ -9,6 +9,7 @@ use super::conditional::{self, blanked};
 use super::depth;
 use super::error::{ErrorKind, ShaderError, Source};
 use super::parameter::{self, Parameter};
+use super::probe::{self, Call};
 use super::token::{Token, TokenKind};
 
 /// A name at a place of the module.
@@ -38,6 +39,8 @@ pub struct Module {
     pub declarations: Vec<Named>,
     /// Those of them that are set while it runs.
     pub parameters: Vec<Parameter>,
+    /// The numbers that its code shows of itself.
+    pub probes: Vec<Call>,
     /// Names declared inside functions and structs.
     pub locals: BTreeSet<String>,
     /// Names that may mean a declaration of any module.
@@ -61,6 +64,8 @@ pub fn scan(source: &Arc<Source>, features: &Features) -> Result<Module, ShaderE
     let mut scanner = Scanner {
         source,
         tokens: &resolved.tokens,
+        heard: probe::is_heard(features),
+        open: Vec::new(),
         blank: Vec::new(),
         module: Module {
             source: source.clone(),
@@ -69,6 +74,7 @@ pub fn scan(source: &Arc<Source>, features: &Features) -> Result<Module, ShaderE
             directives: Vec::new(),
             declarations: Vec::new(),
             parameters: Vec::new(),
+            probes: Vec::new(),
             locals: BTreeSet::new(),
             uses: Vec::new(),
             features: resolved.named,
@@ -83,6 +89,10 @@ pub fn scan(source: &Arc<Source>, features: &Features) -> Result<Module, ShaderE
 struct Scanner<'a> {
     source: &'a Arc<Source>,
     tokens: &'a [Token],
+    /// Somebody listens to probes.
+    heard: bool,
+    /// The brackets that are open.
+    open: Vec<&'a str>,
     blank: Vec<Range<usize>>,
     module: Module,
 }
@@ -110,13 +120,15 @@ impl<'a> Scanner<'a> {
     }
 
     fn scan(&mut self) -> Result<(), ShaderError> {
-        let (mut i, mut depth) = (0, 0);
+        let mut i = 0;
         while i < self.tokens.len() {
-            let text = self.text(i);
+            let (text, depth) = (self.text(i), self.open.len());
             let starts_item = i == 0 || matches!(self.text(i - 1), ";" | "}");
             match text {
-                "{" | "(" | "[" => depth += 1,
-                "}" | ")" | "]" => depth -= 1,
+                "{" | "(" | "[" => self.open.push(text),
+                "}" | ")" | "]" => {
+                    self.open.pop();
+                }
                 "import" if depth == 0 => {
                     i = self.import(i)?;
                     continue;
@@ -134,7 +146,11 @@ impl<'a> Scanner<'a> {
                     i += if self.text(i + 1) == "builtin" { 5 } else { 2 };
                     continue;
                 }
-                _ if self.is_word(i) => self.word(i, depth),
+                _ if probe::starts(self.source, self.tokens, i) => {
+                    i = self.probe(i)?;
+                    continue;
+                }
+                _ if self.is_word(i) => self.word(i, depth)?,
                 _ => {}
             }
             i += 1;
@@ -149,13 +165,14 @@ impl<'a> Scanner<'a> {
     }
 
     /// Files a word as declaration, local or use.
-    fn word(&mut self, i: usize, depth: i32) {
+    fn word(&mut self, i: usize, depth: usize) -> Result<(), ShaderError> {
         match self.text(i) {
             "fn" | "struct" | "const" | "alias" | "let" | "var" => {
                 let name = if self.text(i) == "var" { self.behind_template(i + 1) } else { i + 1 };
                 if !self.is_word(name) {
-                    return;
+                    return Ok(());
                 }
+                probe::check_declared(self.source, self.text(i), &self.range(name))?;
                 if depth == 0 {
                     self.module.declarations.push(self.named(name));
                 } else {
@@ -170,6 +187,23 @@ impl<'a> Scanner<'a> {
             _ if i > 0 && self.text(i - 1) == "." => {}
             _ => self.module.uses.push(self.named(i)),
         }
+        Ok(())
+    }
+
+    /// `probe("mis weight", weight);`: returns the token to go on from, which is the value's first where somebody listens.
+    fn probe(&mut self, start: usize) -> Result<usize, ShaderError> {
+        let in_block = self.open.last() == Some(&"{");
+        let probe::Read { call, value, end } = probe::read(self.source, self.tokens, start, in_block)?;
+        let next = if self.heard {
+            // The call's own, which the value is in.
+            self.open.push("(");
+            value
+        } else {
+            self.blank.push(call.statement.clone());
+            end
+        };
+        self.module.probes.push(call);
+        Ok(next)
     }
 
     /// The token behind the `<storage, read>` that may stand at a token.

@@ -1,4 +1,4 @@
-//! Splits WGSL into tokens, as far as the linker needs: identifiers, numbers, and single characters.
+//! Splits WGSL into tokens, as far as the linker needs: identifiers, numbers, texts in quotes, and single characters.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -19,6 +19,8 @@ pub enum TokenKind {
     /// An identifier or keyword.
     Word,
     Number,
+    /// What stands in quotes, with them, on one line: no WGSL, but what the linker takes as a name.
+    Text,
     /// One character of punctuation: `->` is two tokens.
     Sign,
 }
@@ -42,6 +44,8 @@ pub fn tokenize(source: &Arc<Source>) -> Result<Vec<Token>, ShaderError> {
                 (TokenKind::Number, span(rest, |c| c.is_alphanumeric() || c == '.'))
             } else if c.is_alphabetic() || c == '_' {
                 (TokenKind::Word, span(rest, |c| c.is_alphanumeric() || c == '_'))
+            } else if let Some(length) = text_length(rest) {
+                (TokenKind::Text, length)
             } else {
                 (TokenKind::Sign, c.len_utf8())
             };
@@ -84,6 +88,13 @@ pub fn check_brackets(source: &Arc<Source>, tokens: &[Token]) -> Result<(), Shad
 /// The bytes at the start of a text whose characters pass the test.
 fn span(text: &str, test: impl Fn(char) -> bool) -> usize {
     text.find(|c| !test(c)).unwrap_or(text.len())
+}
+
+/// The length of the text in quotes that starts a text; none where the line has no second quote.
+fn text_length(text: &str) -> Option<usize> {
+    let inside = text.strip_prefix('"')?;
+    let end = inside.find(['"', '\n', '\r'])?;
+    inside[end..].starts_with('"').then_some(end + 2)
 }
 
 /// The length of the block comment that starts a text; they nest.

@@ -141,6 +141,12 @@ pub const FAULTS: &[Fault] = &[
         )],
         seen_by: &["reuse-twin"],
     },
+    Fault {
+        name: "own-variance",
+        wrong: "each half of an adaptive film gets samples by its own variance",
+        edits: &[("passes/film/tally", "let half = run.half;", "let half = 1u - run.half;")],
+        seen_by: &["adaptive"],
+    },
 ];
 
 /// A library with `wrong` in place of `right` in a module.

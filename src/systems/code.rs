@@ -27,7 +27,7 @@ pub fn restart_for_code(code: Restarts, tree: &mut Tree, progress: &mut FilmProg
         progress.restart();
     }
     if code.picture {
-        progress.shown = None;
+        progress.outdate_all();
     }
 }
 

@@ -1,6 +1,6 @@
 //! One file or folder a phase of the schedule.
 //!
-//! `Reload -> Extract -> Upload -> Build -> Trace -> Accumulate -> Present -> Submit`. Each system runs only where it has something to
+//! `Reload -> Room -> Extract -> Upload -> Build -> Trace -> Accumulate -> Present -> Submit`. Each system runs only where it has something to
 //! do: extraction by change detection, which compares values too, so that an edit that changes nothing resets nothing; each
 //! later phase by what is not there yet, of tree, film, batch or picture ([`resources`]).
 
@@ -14,6 +14,7 @@ pub mod present;
 mod reload;
 pub mod resources;
 mod restart;
+mod room;
 mod run;
 mod submit;
 mod trace;
@@ -24,14 +25,14 @@ use bevy_ecs::prelude::*;
 pub use code::run_code;
 pub use error::{EngineError, Fault};
 pub use reload::{Reload, go_back};
-pub use restart::{restart_film, start_again};
+pub use restart::{release_film, restart_film, start_again};
 pub use run::Entered;
 
 use crate::components::Film;
 use phase::Phase;
 use resources::{
     Batch, CompileListener, Displayed, Endless, Everything, FilmProgress, Frame, General, Governor, LightDensity, Live,
-    Policy, Relief, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tree, Viewed,
+    Policy, ProbeChosen, Relief, Robust, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tiles, Tree, Viewed,
 };
 
 /// The one schedule.
@@ -40,6 +41,7 @@ pub fn schedule() -> Schedule {
     schedule.configure_sets(
         (
             Phase::Reload,
+            Phase::Room,
             Phase::Extract,
             Phase::Upload,
             Phase::Build,
@@ -51,12 +53,21 @@ pub fn schedule() -> Schedule {
             .chain(),
     );
     // What a phase failed at, none behind it tries.
-    let behind_reload =
-        [Phase::Extract, Phase::Upload, Phase::Build, Phase::Trace, Phase::Accumulate, Phase::Present, Phase::Submit];
+    let behind_reload = [
+        Phase::Room,
+        Phase::Extract,
+        Phase::Upload,
+        Phase::Build,
+        Phase::Trace,
+        Phase::Accumulate,
+        Phase::Present,
+        Phase::Submit,
+    ];
     for phase in behind_reload {
         schedule.configure_sets(phase.run_if(error::no_fault));
     }
     reload::add_systems(&mut schedule);
+    room::add_systems(&mut schedule);
     extract::add_systems(&mut schedule);
     upload::add_systems(&mut schedule);
     build::add_systems(&mut schedule);
@@ -88,9 +99,12 @@ pub fn insert_resources(world: &mut World) {
     world.init_resource::<Target>();
     world.init_resource::<Tree>();
     world.init_resource::<Batch>();
+    world.init_resource::<Tiles>();
     world.init_resource::<Frame>();
     world.init_resource::<Spent>();
     world.init_resource::<Live>();
     world.init_resource::<Viewed>();
+    world.init_resource::<Robust>();
+    world.init_resource::<ProbeChosen>();
     world.init_resource::<Governor>();
 }

@@ -7,6 +7,8 @@ use bevy_ecs::prelude::*;
 pub enum Phase {
     /// Puts in place what was saved and compiled since the last run.
     Reload,
+    /// Refuses what the device has no room for.
+    Room,
     /// Components to tables and parameters, and what they make start anew.
     Extract,
     /// Tables to buffers.

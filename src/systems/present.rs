@@ -5,11 +5,15 @@ use bevy_ecs::prelude::*;
 
 use super::error::EngineError;
 use super::phase::Phase;
-use super::resources::{Device, Displayed, FilmProgress, Frame, Live, SceneGeometry, Shot, Target, Viewed};
+use super::resources::{
+    Device, Displayed, FilmProgress, Frame, Live, ProbeChosen, SceneGeometry, Shot, Target, Viewed,
+};
 use super::run::counted;
 use crate::components::Film;
+use crate::gpu::Runtime;
+use crate::layout::probe::NO_PROBE;
 use crate::layout::view::{ViewMode, ViewParams};
-use crate::passes::{debug, film, view};
+use crate::passes::{Recording, debug, film, probe, view};
 
 pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(
@@ -32,6 +36,7 @@ fn record_view(
     geometry: Res<SceneGeometry>,
     shot: Res<Shot>,
     viewed: Res<Viewed>,
+    chosen: Res<ProbeChosen>,
 ) -> Result<(), EngineError> {
     match viewed.0 {
         ViewMode::Debug => {
@@ -41,9 +46,33 @@ fn record_view(
             }
             debug::record(&mut frame.picture, &shot.params);
         }
+        ViewMode::Probe => record_probe(&mut device.0, &mut frame.picture, &mut progress, &shot, &chosen)?,
         mode => view::record(&mut frame.picture, &view_params(&geometry, &shot, mode)),
     }
     progress.shown = Some(viewed.0);
+    Ok(())
+}
+
+/// Numbers that code shows, where those that there are were not asked for so; and their picture.
+fn record_probe(
+    device: &mut Runtime,
+    picture: &mut Recording,
+    progress: &mut FilmProgress,
+    shot: &Shot,
+    chosen: &ProbeChosen,
+) -> Result<(), EngineError> {
+    let (size, look) = (shot.size(), chosen.0.as_ref().map(|chosen| chosen.look).unwrap_or_default());
+    for (name, bytes) in probe::buffers(u64::from(size.x) * u64::from(size.y)) {
+        device.reserve(name, bytes)?;
+    }
+    let asked = look.choice(chosen.number(device).unwrap_or(NO_PROBE));
+    let words = [asked.name, asked.bounce, asked.part];
+    if progress.probed != Some(words) {
+        device.upload("probe_asked", &[asked])?;
+        probe::record(picture, &shot.params);
+        progress.probed = Some(words);
+    }
+    probe::record_colours(picture, &look.colours(size.x * size.y));
     Ok(())
 }
 
@@ -66,7 +95,7 @@ fn record_picture(
     displayed: Res<Displayed>,
 ) {
     let shown = progress.shows().unwrap_or_default();
-    film::record_display(&mut frame.picture, &film::display_params(shot.size(), shown, shot.exponent, displayed.0));
+    film::record_display(&mut frame.picture, &shot.display_params(shown, displayed.0));
     progress.shown = Some(ViewMode::Beauty);
 }
 

@@ -1,19 +1,21 @@
 //! Tables to buffers, and room for a film that begins.
 
 use bevy_ecs::prelude::*;
+use glam::UVec2;
 
 use super::error::EngineError;
 use super::phase::Phase;
-use super::resources::{Device, FilmProgress, MeanEmission, Shot, SkyCell, Spent, Texel};
+use super::resources::{Device, FilmProgress, MeanEmission, Robust, Shot, SkyCell, Spent, Texel, Tiles};
 use super::run::counted;
 use crate::components::Film;
+use crate::cpu::allocation::Grid;
 use crate::gpu::{GpuTable, TableRow};
 use crate::layout::alias::AliasColumn;
 use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{MaterialRecord, Shading};
 use crate::layout::tree::Triangle;
-use crate::passes::film;
+use crate::passes::{adaptive, blocks, film};
 
 /// Every array of the scene.
 const TABLES: [Table; 12] = [
@@ -87,11 +89,22 @@ fn begin_film(
     mut device: ResMut<Device>,
     mut progress: Single<&mut FilmProgress, With<Film>>,
     shot: Res<Shot>,
+    robust: Res<Robust>,
     mut spent: ResMut<Spent>,
+    mut tiles: ResMut<Tiles>,
 ) -> Result<(), EngineError> {
     let size = shot.size();
-    for (name, bytes) in film::buffers(u64::from(size.x) * u64::from(size.y)) {
+    let pixels = u64::from(size.x) * u64::from(size.y);
+    let blocks = if robust.0 && !shot.is_adaptive() { blocks::buffers(pixels) } else { Vec::new() };
+    for (name, bytes) in film::buffers(pixels).into_iter().chain(blocks) {
         device.0.reserve(name, bytes)?;
+    }
+    *tiles = Tiles::default();
+    if shot.is_adaptive() {
+        for (name, bytes) in adaptive::buffers(pixels) {
+            device.0.reserve(name, bytes)?;
+        }
+        *tiles = Tiles::of(Grid::of(UVec2::new(shot.params.window_x, shot.params.window_y), size));
     }
     let of_device = device.0.gpu().shader_features().iter().copied();
     let features: Vec<&str> = shot.features.iter().map(String::as_str).chain(of_device).collect();

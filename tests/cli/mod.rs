@@ -1,6 +1,7 @@
 //! The command line, by running it: exit codes, one message a mistake, and files that are whole.
 
 mod edits;
+mod errors;
 mod export;
 mod help;
 mod new;

@@ -46,7 +46,7 @@ fn lit() -> Room {
 }
 
 /// The same with panes and a veil between lights and walls.
-fn glazed() -> Room {
+pub fn glazed() -> Room {
     let mut room = lit();
     let pack = |values: Material| material::pack(&values, Energy::Preserve);
     let pane = room.material(pack(Material {

@@ -6,7 +6,9 @@ use std::path::Path;
 
 use glam::{UVec2, Vec4};
 use lucerna::components::{Film, Integrator, Material, Render, ShaderValue, ShaderValues};
+use lucerna::engine::{ProbedValue, Probing};
 use lucerna::layout::view::ViewMode;
+use lucerna::passes::probe::ProbeLook;
 
 use super::Bench;
 
@@ -45,8 +47,13 @@ fn edits(number: u32) -> Vec<Edit> {
     edits
 }
 
-/// Performs the edits of a number, in a burst, as an editor's "save all" does.
+/// Performs the edits of a number, in a burst, as an editor's "save all" does: the film starts anew.
 fn perform(bench: &mut Bench, number: u32) {
+    write(bench, number);
+    assert_eq!(bench.reloaded(), "film");
+}
+
+fn write(bench: &mut Bench, number: u32) {
     for Edit { file, old, new } in edits(number) {
         match old {
             None => bench.write(&file, &new),
@@ -57,7 +64,6 @@ fn perform(bench: &mut Bench, number: u32) {
             }
         }
     }
-    assert_eq!(bench.reloaded(), "film");
 }
 
 /// The scene of the other tests, larger, with lights asked directly, one of them ten times as bright.
@@ -200,4 +206,42 @@ fn a_picture_of_ones_own_is_of_the_paths_that_make_the_film() {
     let rays: BTreeSet<u32> = colours.iter().map(|colour| (8.0 * colour.x) as u32).collect();
     assert!(colours.iter().all(|colour| colour.w == 1.0), "every path is finished");
     assert_eq!(rays, BTreeSet::from([1, 2]));
+}
+
+#[test]
+fn a_number_is_shown_by_view_and_replay_and_starts_nothing_anew() {
+    let mut bench = bench(Integrator::Path);
+    bench.engine.edit(|world| world.query::<&mut Render>().iter_mut(world).for_each(|mut render| render.spp = 4));
+    let before = bench.film();
+    write(&mut bench, 7);
+    assert_eq!(bench.reloaded(), "nothing");
+    assert_eq!(bench.film().pixels, before.pixels);
+    let probes = bench.engine.probes();
+    assert_eq!((probes.len(), probes[0].name.as_str()), (1, "mis weight"));
+    let place = &probes[0].places[0];
+    let line = place.source.text.lines().nth(place.line - 1).unwrap();
+    assert!(line.contains("probe(\"mis weight\", power_heuristic("), "{line}");
+
+    bench.engine.set_probe(Some(Probing { name: "mis weight".to_owned(), look: ProbeLook::default() }));
+    bench.engine.set_view(ViewMode::Probe);
+    bench.finish();
+    let weights = bench.engine.probe_values().unwrap().unwrap();
+    let found: Vec<usize> = (0..weights.len()).filter(|pixel| weights[*pixel].w > 0.0).collect();
+    assert!(found.len() > 10, "{} paths end on something", found.len());
+    // What follows from the twin's densities (Veach 1997).
+    let mut compared = 0;
+    for pixel in found.into_iter().step_by(3) {
+        let at = UVec2::new(pixel as u32 % 48, pixel as u32 / 48);
+        let replay = bench.engine.replay(at, 0).unwrap().unwrap();
+        let [first, ..] = &replay.probed[..] else { panic!("{at}: nothing") };
+        let ProbedValue::Numbers(numbers) = &first.value else { panic!("{first:?}") };
+        assert!((numbers[0] - weights[pixel].x).abs() <= 1e-5, "{at}: {numbers:?} beside {}", weights[pixel]);
+        let twin = &replay.verdict.twin[first.turn];
+        if twin.found_pdf > 0.0 {
+            let (p, q) = (twin.pdf.powi(2), twin.found_pdf.powi(2));
+            assert!((f64::from(numbers[0]) - p / (p + q)).abs() < 1e-4, "{at}: {numbers:?} beside {}", p / (p + q));
+            compared += 1;
+        }
+    }
+    assert!(compared > 2, "{compared} paths found a light by chance");
 }

@@ -43,7 +43,7 @@ fn other_saves_are_not() {
     bench.replace("shaders/lib/bsdf/lambert.wgsl", "// Lambert reflection", "// Lambert's reflection");
     assert_eq!(bench.reloaded(), "nothing");
     // The film starts anew, but no surface's code is another.
-    bench.replace("shaders/passes/trace/path.wgsl", "id.z >= params.layers", "params.layers <= id.z");
+    bench.replace("shaders/passes/trace/path.wgsl", "id.z < params.layers", "params.layers > id.z");
     assert_eq!(bench.reloaded(), "film");
     let begin = Instant::now();
     while begin.elapsed() < Duration::from_millis(700) {

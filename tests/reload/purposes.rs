@@ -6,7 +6,7 @@ use lucerna::passes::{Makes, Pass};
 use super::Bench;
 
 /// Not run for a small scene whose film is shown.
-const UNUSED: [&str; 4] = ["sort scan", "view", "debug", "gather"];
+const UNUSED: [&str; 8] = ["sort scan", "view", "debug", "probe", "probe colours", "gather", "blocks", "tally"];
 
 /// The pass that finishes what is made.
 fn last_of(purpose: Makes) -> &'static str {

@@ -66,7 +66,7 @@ fn the_films_kernel_has_nothing_of_it() {
     }
     assert!(lines > 15, "{lines}");
     let mut sets = library.feature_sets(PATH.module).unwrap();
-    sets.retain(|features| !features.contains("record"));
+    sets.retain(|features| !features.contains("record") && !features.contains("probe_view"));
     for features in sets.iter().step_by(7) {
         let [ours, without] = [&library, &struck].map(|library| library.link(PATH.module, features).unwrap());
         assert_eq!(ours.fingerprint(), without.fingerprint(), "{features:?}");

@@ -12,6 +12,7 @@ use lucerna::app::edits::{Edit, Kind, Lint, State, Verdict};
 use lucerna::app::window::edits::record::Record;
 use lucerna::app::window::panel::curve::{Decades, power};
 use lucerna::app::window::panel::edits::EditsShown;
+use lucerna::app::window::panel::errors::ErrorsShown;
 use lucerna::app::window::panel::{Panel, PanelContext};
 use lucerna::layout::view::ViewMode;
 use lucerna::shader::Library;
@@ -19,8 +20,8 @@ use lucerna::shader::Library;
 use super::maps::description;
 use crate::support;
 
-const SECTIONS: [&str; 9] =
-    ["Edits", "Progress", "Pixel", "View", "Camera", "Settings", "Lights", "Materials", "Passes"];
+const SECTIONS: [&str; 11] =
+    ["Edits", "Progress", "Error", "Pixel", "Paths", "View", "Camera", "Settings", "Lights", "Materials", "Passes"];
 
 /// Something that was saved.
 fn saved(kind: Kind) -> Edit {
@@ -33,6 +34,8 @@ struct Drawn {
     context: Context,
     panel: Panel,
     record: Record,
+    /// What is said of where the error comes from.
+    lines: Vec<String>,
     engine: Engine,
     began: Instant,
     /// Of readings: later than any that was.
@@ -52,7 +55,7 @@ impl Drawn {
         let now = Instant::now();
         let panel = Panel::new(true, features, true, PathBuf::new());
         let record = Record::new(saved(Kind::Opened), Library::shipped());
-        Self { context, panel, record, engine, began: now, now }
+        Self { context, panel, record, lines: Vec::new(), engine, began: now, now }
     }
 
     fn draw(&mut self, events: Vec<Event>) -> Vec<ClippedShape> {
@@ -62,11 +65,16 @@ impl Drawn {
         for events in [events, Vec::new(), Vec::new()] {
             let input = RawInput { screen_rect, events, ..RawInput::default() };
             let (panel, engine) = (&mut self.panel, &mut self.engine);
-            let record = &self.record;
+            let (record, lines) = (&self.record, &self.lines[..]);
             let show = |ui: &mut egui::Ui| {
                 let edits = EditsShown { record, automatic: true, rests: false };
                 let (camera, scene_size) = (&camera, 1.0);
-                panel.show(ui, engine, PanelContext { camera, scene_size, family: None, selected: None, edits });
+                let errors = ErrorsShown { lines, ..ErrorsShown::default() };
+                panel.show(
+                    ui,
+                    engine,
+                    PanelContext { camera, scene_size, family: None, selected: None, paths: None, edits, errors },
+                );
             };
             shapes = self.context.run_ui(input, show).shapes;
         }
@@ -120,6 +128,7 @@ fn no_section_moves_when_numbers_come() {
     let mut drawn = Drawn::new();
     let passes = drawn.places()["Passes"];
     drawn.click(passes.center());
+    drawn.click_on("Error");
     let before = drawn.places();
     assert_eq!(before.len(), SECTIONS.len() + 2, "{before:?}");
     // Nothing under the pointer, the scene, what is beside it; more of them as the film grows.
@@ -138,13 +147,16 @@ fn no_section_moves_when_numbers_come() {
             assert_eq!(drawn.places(), before, "with {} rows of edits", drawn.record.rows().len());
         }
     }
+    drawn.lines =
+        (0..40).map(|n| format!("{n} % of the error: a lamp of a long name, found by chance through glass")).collect();
+    assert_eq!(drawn.places(), before, "with all that is known of the error");
     assert!(drawn.record.dropped() > 0, "the line that says so is seen too");
 }
 
 #[test]
 fn every_word_fits_in_the_width_that_the_panel_has_at_first() {
     let mut drawn = Drawn::new();
-    for section in ["Passes", "Materials", "Lights"] {
+    for section in ["Passes", "Materials", "Lights", "Error"] {
         drawn.click_on(section);
     }
     let material = description().materials.keys().next().unwrap().clone();

@@ -40,15 +40,15 @@ class Obj:
         """The faces that follow have another material."""
         self.lines.append("usemtl " + name)
 
-    def face(self, positions, normals=None, uvs=None, normal=None):
+    def face(self, positions, normals=None, uvs=None, normal=None, place=None):
         """One polygon, counter-clockwise seen from its front. Corners that print alike are merged, and what is then no
         polygon, or is there already, is left out. One of more than four corners is cut where a fan would not cover it.
-        `normal` is the format of these normals."""
+        `normal` and `place` are the formats of these normals and positions."""
         form, corners = normal or self.forms["vn"], {}
         if self.smooth and (normals is None or is_flat(positions, normals, form)):
             normals, form = own_normals(positions), "%.5g"
         for k, position in enumerate(positions):
-            v = self._index("v", position, self.forms["v"])
+            v = self._index("v", position, place or self.forms["v"])
             vt = self._index("vt", uvs[k], self.forms["vt"]) if uvs is not None else ""
             vn = self._index("vn", normals[k], form) if normals is not None else ""
             corners.setdefault(v, (k, "/".join(str(i) for i in (v, vt, vn)).rstrip("/")))
@@ -95,7 +95,7 @@ def own_normals(points):
     """A polygon's unit normal at each of its corners."""
     n = normal_of(points)
     size = dot(n, n) ** 0.5 or 1.0
-    return [tuple(c / size for c in n)] * len(points)
+    return [tuple(round(c / size, 9) for c in n)] * len(points)
 
 
 def is_flat(points, normals, form):

@@ -31,10 +31,19 @@ fn display(
     let even = film[source].halves[0];
     let odd = film[source].halves[1];
     // No sample yet: black.
-    let scale = params.scale / f32(max(even.count + odd.count, 1u));
     var linear: vec3<f32>;
-    for (var c = 0u; c < 3u; c++) {
-        linear[c] = (as_float(even.sum[c]) + as_float(odd.sum[c])) * scale;
+    @if(adaptive) {
+        // Each half counts alike, however many samples it has: the values of each have settled the number of the other.
+        let share = select(params.scale, 0.5 * params.scale, even.count > 0u && odd.count > 0u);
+        let scales = share / vec2<f32>(max(vec2<u32>(even.count, odd.count), vec2<u32>(1u)));
+        for (var c = 0u; c < 3u; c++) {
+            linear[c] = as_float(even.sum[c]) * scales.x + as_float(odd.sum[c]) * scales.y;
+        }
+    } @else {
+        let scale = params.scale / f32(max(even.count + odd.count, 1u));
+        for (var c = 0u; c < 3u; c++) {
+            linear[c] = (as_float(even.sum[c]) + as_float(odd.sum[c])) * scale;
+        }
     }
     if (params.tone != TONE_NONE) {
         linear = toned(linear, params.tone);

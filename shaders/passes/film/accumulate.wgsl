@@ -2,14 +2,19 @@
 // into batches changes a bit. A bad sample is counted and logged, and is in neither the sums nor the divisor.
 
 import package::gen::{AccumulateParams, BadSample, FilmCounters, FilmHalf, FilmPixel, RadianceSample};
+@if(adaptive) import package::gen::{PixelMark, TileRun, TileSample, TILE_LANES};
 import package::gen::{BAD_LOG, BAD_OVERFLOW, NO_MATERIAL, SAMPLE_BAD, UNKNOWN_BOUNCE};
 import package::lib::fixed::{add_u64, fixed_point};
 import package::lib::fault::{fault_of};
+@if(adaptive) import package::lib::tiles::{place_in_tile, tile_corner};
 
 @group(0) @binding(0) var<storage, read> params: AccumulateParams;
 @group(0) @binding(1) var<storage, read> radiance: array<RadianceSample>;
 @group(0) @binding(2) var<storage, read_write> film: array<FilmPixel>;
 @group(0) @binding(3) var<storage, read_write> counters: FilmCounters;
+@if(adaptive) @group(0) @binding(4) var<storage, read> tile_samples: array<TileSample>;
+@if(adaptive) @group(0) @binding(5) var<storage, read> tile_runs: array<TileRun>;
+@if(adaptive) @group(0) @binding(6) var<storage, read_write> marks: array<PixelMark>;
 
 var<workgroup> group_rays: atomic<u32>;
 
@@ -18,10 +23,10 @@ fn place_of(pixel: u32) -> vec2<u32> {
     return vec2<u32>(pixel % params.window_width, pixel / params.window_width) << vec2<u32>(params.column_shift, params.row_shift);
 }
 
-fn log_bad(pixel: u32, sample: u32, bounce: u32, material: u32, kind: u32) {
+// `at` is a pixel of the whole film.
+fn log_bad(at: vec2<u32>, sample: u32, bounce: u32, material: u32, kind: u32) {
     let slot = atomicAdd(&counters.bad, 1u);
     if (slot < BAD_LOG) {
-        let at = place_of(pixel) + vec2<u32>(params.window_x, params.window_y);
         counters.log[slot] = BadSample(at.y * params.film_width + at.x, sample, bounce, material, kind);
     }
 }
@@ -46,16 +51,16 @@ fn add_sample(half: ptr<function, FilmHalf>, value: vec3<f32>) -> u32 {
     return 0u;
 }
 
-// Adds one sample of `pixel`, whichever way it turned out.
-fn add_or_log(half: ptr<function, FilmHalf>, arrived: RadianceSample, pixel: u32, sample: u32) {
+// Adds one sample of the pixel `at`, whichever way it turned out.
+fn add_or_log(half: ptr<function, FilmHalf>, arrived: RadianceSample, at: vec2<u32>, sample: u32) {
     if ((arrived.info & SAMPLE_BAD) != 0u) {
-        log_bad(pixel, sample, u32(arrived.rgb.y), u32(arrived.rgb.z), u32(arrived.rgb.x));
+        log_bad(at, sample, u32(arrived.rgb.y), u32(arrived.rgb.z), u32(arrived.rgb.x));
         (*half).bad += 1u;
         return;
     }
     let kind = add_sample(half, arrived.rgb);
     if (kind != 0u) {
-        log_bad(pixel, sample, UNKNOWN_BOUNCE, NO_MATERIAL, kind);
+        log_bad(at, sample, UNKNOWN_BOUNCE, NO_MATERIAL, kind);
         (*half).bad += 1u;
     }
 }
@@ -65,18 +70,56 @@ fn add_layers(pixel: u32) -> u32 {
     let first = params.radiance_first + pixel / params.window_width * params.radiance_row + pixel % params.window_width;
     let place = place_of(pixel);
     let index = params.first_pixel + place.y * params.row + place.x;
+    let at = place + vec2<u32>(params.window_x, params.window_y);
     var rays = 0u;
     for (var half = 0u; half < 2u; half++) {
         var sums: FilmHalf;
         if (params.replaces == 0u) {
             sums = film[index].halves[half];
         }
+        @if(adaptive) let before = rays;
         for (var layer = (params.first_sample + half) & 1u; layer < params.layers; layer += 2u) {
             let arrived = radiance[layer * params.radiance_layer + first];
             rays += arrived.info & ~SAMPLE_BAD;
-            add_or_log(&sums, arrived, pixel, params.first_sample + layer);
+            add_or_log(&sums, arrived, at, params.first_sample + layer);
         }
         film[index].halves[half] = sums;
+        @if(adaptive) {
+            marks[index].halves[half].rays = select(marks[index].halves[half].rays, 0u, params.replaces != 0u) + rays - before;
+        }
+    }
+    return rays;
+}
+
+// The same, if there is such a pixel; counts its rays.
+fn add_pixel(pixel: u32) {
+    if (pixel < params.window_width * params.window_height) {
+        atomicAdd(&group_rays, add_layers(pixel));
+    }
+}
+
+// The samples of one pixel of a tile; returns how many rays were traced for them.
+@if(adaptive)
+fn add_run(run: TileRun, lane: u32) -> u32 {
+    let at = tile_corner(run.tile) + place_in_tile(lane);
+    let place = at - vec2<u32>(params.window_x, params.window_y);
+    // What is left of the window, or above it, is beyond its other end.
+    if (any(place >= vec2<u32>(params.window_width, params.window_height))) {
+        return 0u;
+    }
+    let index = place.y * params.row + place.x;
+    var number = run.first;
+    var rays = 0u;
+    for (var half = 0u; half < 2u; half++) {
+        var sums = film[index].halves[half];
+        let before = rays;
+        for (let end = number + run.counts[half]; number < end; number++) {
+            let arrived = radiance[number * TILE_LANES + lane];
+            rays += arrived.info & ~SAMPLE_BAD;
+            add_or_log(&sums, arrived, at, tile_samples[number].sample);
+        }
+        film[index].halves[half] = sums;
+        marks[index].halves[half].rays += rays - before;
     }
     return rays;
 }
@@ -92,8 +135,15 @@ fn accumulate(
     }
     workgroupBarrier();
     let pixel = (group.x + group.y * groups.x) * 64u + local;
-    if (pixel < params.window_width * params.window_height) {
-        atomicAdd(&group_rays, add_layers(pixel));
+    @if(adaptive) {
+        let run = group.x + group.y * groups.x;
+        if (params.runs == 0u) {
+            add_pixel(pixel);
+        } else if (run < params.runs) {
+            atomicAdd(&group_rays, add_run(tile_runs[run], local));
+        }
+    } @else {
+        add_pixel(pixel);
     }
     workgroupBarrier();
     if (local == 0u) {

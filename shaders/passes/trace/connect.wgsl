@@ -9,6 +9,7 @@ import package::gen::{TraceParams, NO_HIT};
 @if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point, light_weights};
 @if(lights) import package::lib::math::{largest_of};
 @if(lights && point_lights) import package::lib::point::{point_intensity};
+@if(sources && point_lights) import package::passes::trace::brought::{note_point};
 @if(lights && emission_map) import package::passes::trace::emission::{emission_at};
 @if(sun) import package::lib::sun::{sun_covers};
 @if(sky_light && sun) import package::lib::sun::{sun_point};
@@ -101,6 +102,7 @@ fn draw_from_table(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<
     let light = load_light(index);
     @if(lights && point_lights) {
         if (light.triangle == NO_HIT) {
+            @if(sources) note_point(index);
             return draw_point(params, position, load_point(index));
         }
     }

@@ -10,6 +10,7 @@
 
 import package::gen::{GatherPoint, LentPoint, MaterialRecord, RadianceSample, Ray, TraceParams};
 import package::gen::{GATHER_POINT_STRIDE, LENT_POINT_STRIDE, unpack_gather_point, unpack_lent_point};
+@if(adaptive) import package::gen::{TileSample};
 import package::gen::{BAD_OVERFLOW, NO_CHANCE, NO_HIT, NO_MATERIAL, SAMPLE_BAD, TILE_BLOCK, TILE_PIXELS};
 @if(normals || relief) import package::gen::{LEAST_FACING};
 import package::lib::bsdf::frame::{BsdfValue, ShadingFrame};
@@ -17,6 +18,7 @@ import package::lib::bsdf::mixture::{mixture_evaluate};
 import package::lib::fault::{fault_of};
 import package::lib::math::{largest_of};
 import package::lib::rng_pcg::{pcg4d};
+@if(adaptive) import package::lib::tiles::{tile_corner};
 @if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
 import package::passes::trace::materials::{load_material};
 import package::passes::trace::scene::{scene_extent};
@@ -27,6 +29,7 @@ import package::passes::trace::scene::{scene_extent};
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
 @group(0) @binding(19) var<storage, read> gather_points: array<vec4<u32>>;
 @group(0) @binding(20) var<storage, read> lent_points: array<vec4<u32>>;
+@if(adaptive) @group(0) @binding(29) var<storage, read> tile_samples: array<TileSample>;
 
 // How far beyond y a ray to it goes, and how near something is that hides it for certain, as part of the way.
 const AROUND_LENT: f32 = 0x1p-12;
@@ -141,26 +144,65 @@ fn gathered(sample: RadianceSample, light: vec3<f32>, rays: u32, material: u32) 
     return RadianceSample(vec3<f32>(vec3<u32>(select(kind, BAD_OVERFLOW, kind == 0u), 0u, material)), (sample.info + rays) | SAMPLE_BAD);
 }
 
+// A block of 8 by 8 pixels, and where it is in a batch.
+struct Block {
+    // Its first pixel in the whole film.
+    corner: vec2<u32>,
+    // Columns and rows of it that exist, and more.
+    extent: vec2<u32>,
+    // Place of its first pixel in the batch.
+    first: u32,
+    // Places from one of its rows to the next.
+    row: u32,
+}
+
+// Of a batch of layers of a rectangle.
+fn block_of(group: vec3<u32>) -> Block {
+    let size = vec2<u32>(params.window_width, params.window_height);
+    let begin = group.xy * TILE_BLOCK;
+    let first = (group.z * size.y + begin.y) * size.x + begin.x;
+    return Block(begin + vec2<u32>(params.window_x, params.window_y), size - begin, first, size.x);
+}
+
+// Of a batch of tiles.
+@if(adaptive)
+fn block_of_tile(number: u32) -> Block {
+    let corner = tile_corner(tile_samples[min(number, params.tile_samples - 1u)].tile);
+    let extent = select(vec2<u32>(0u), vec2<u32>(params.film_width, params.film_height) - corner, number < params.tile_samples);
+    return Block(corner, extent, number * TILE_BLOCK * TILE_BLOCK, TILE_BLOCK);
+}
+
+fn place_in(block: Block, pixel: vec2<u32>) -> u32 {
+    return block.first + pixel.y * block.row + pixel.x;
+}
+
 @compute @workgroup_size(8, 8)
-fn gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+fn gather(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(local_invocation_index) local: u32,
+    @if(adaptive) @builtin(num_workgroups) groups: vec3<u32>,
+) {
     @if(few_triangles) keep_boxes(params.root, local, TILE_BLOCK * TILE_BLOCK);
     let tile = local / TILE_PIXELS;
     let slot = local % TILE_PIXELS;
-    let size = vec2<u32>(params.window_width, params.window_height);
-    let corner = group.xy * TILE_BLOCK;
-    let dealt = deal_quads((corner + vec2<u32>(params.window_x, params.window_y)) / TILE_BLOCK);
-    let layer = group.z * size.y;
-    let pixel = corner + pixel_of(tile, slot, dealt);
-    let exists = all(pixel < size);
-    let place = select(0u, (layer + pixel.y) * size.x + pixel.x, exists);
+    var block = block_of(group);
+    @if(adaptive) {
+        if (params.tile_samples > 0u) {
+            block = block_of_tile(group.x + group.y * groups.x);
+        }
+    }
+    let dealt = deal_quads(block.corner / TILE_BLOCK);
+    let pixel = pixel_of(tile, slot, dealt);
+    let exists = all(pixel < block.extent);
+    let place = select(0u, place_in(block, pixel), exists);
     let gatherer = load_gatherer(place, exists);
     let extent = scene_extent(params.root);
     var rays = 0u;
     for (var k = 0u; k < TILE_PIXELS; k++) {
-        let lender = corner + pixel_of(tile, k, dealt);
+        let lender = pixel_of(tile, k, dealt);
         var density = 0.0;
-        if (gatherer.exists && all(lender < size)) {
-            let point = load_lent((layer + lender.y) * size.x + lender.x);
+        if (gatherer.exists && all(lender < block.extent)) {
+            let point = load_lent(place_in(block, lender));
             if (point.triangle != NO_HIT) {
                 let link = link_to(gatherer, point);
                 if (link.pdf > 0.0) {
@@ -189,11 +231,11 @@ fn gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     }
     var light = vec3<f32>(0.0);
     for (var k = 0u; k < TILE_PIXELS; k++) {
-        let lender = corner + pixel_of(tile, k, dealt);
+        let lender = pixel_of(tile, k, dealt);
         let sum = totals[tile * TILE_PIXELS + k];
         let linked = sum > 0.0 && densities[(tile * TILE_PIXELS + k) * TILE_PIXELS + slot] > 0.0;
         if (linked || (k == slot && sum == 0.0)) {
-            let point = load_lent((layer + lender.y) * size.x + lender.x);
+            let point = load_lent(place_in(block, lender));
             if (linked) {
                 light += link_to(gatherer, point).value / sum * point.radiance;
             } else if (point.triangle != NO_HIT) {
@@ -201,7 +243,7 @@ fn gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
             }
         }
     }
-    let index = params.first_layer * size.y * size.x + place;
+    let index = params.first_layer * params.window_height * params.window_width + place;
     let sample = radiance[index];
     if ((sample.info & SAMPLE_BAD) == 0u) {
         radiance[index] = gathered(sample, light, rays, gatherer.index);

@@ -11,6 +11,7 @@ import package::gen::{SLOT_CHOICES, SLOT_DIRECTION, SLOT_FILM};
 @if(dielectric && roulette) import package::gen::{MATERIAL_DIELECTRIC};
 @if(dielectric && roulette) import package::lib::bsdf::dielectric::{eta_squared, interface_of};
 @if(lights || sky_light) import package::gen::{SLOT_LIGHT_POINT};
+@if(adaptive) import package::gen::{TileSample, TILE_LANES};
 import package::lib::bsdf::mixture::{mixture_sample};
 @if(alpha || thin) import package::lib::bsdf::straight::{is_straight};
 @if(lens) import package::gen::{LENS_DIMENSIONS};
@@ -31,7 +32,10 @@ import package::lib::rng::{sample_2d, sample_4d};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::passes::trace::connect::{light_pdf};
 @if(few_triangles) import package::passes::trace::few_boxes::{keep_boxes};
+@if(probe_view || record) import package::lib::probe::{probe_bounce};
 @if(record) import package::lib::record::{turn};
+@if(adaptive) import package::lib::tiles::{place_in_tile, tile_corner};
+@if(sources) import package::passes::trace::brought::{bring, note_found, note_sampled_arrives, note_scattered};
 import package::passes::trace::materials::{load_material};
 @if(record) import package::passes::trace::record::{begin_turn, end_turn, note_drawn, note_surface};
 import package::passes::trace::scene::{load_leaf, scene_extent};
@@ -49,6 +53,7 @@ import package::passes::trace::traverse_few::{traverse_few};
 
 @group(0) @binding(2) var<storage, read> params: TraceParams;
 @group(0) @binding(4) var<storage, read_write> radiance: array<RadianceSample>;
+@if(adaptive) @group(0) @binding(29) var<storage, read> tile_samples: array<TileSample>;
 
 const LARGEST_F32: f32 = 0x1.fffffep+127;
 
@@ -80,6 +85,7 @@ fn check(state: ptr<function, PathState>, value: vec3<f32>, largest: f32, materi
 fn add_radiance(state: ptr<function, PathState>, light: vec3<f32>, @if(reuse) lent_light: vec3<f32>, material: u32) -> bool {
     (*state).radiance += light;
     @if(record) turn.added = light;
+    @if(sources) bring(light);
     var good = check(state, (*state).radiance, params.largest, material);
     @if(reuse) {
         lent.radiance += lent_light;
@@ -183,10 +189,12 @@ fn scatter(state: ptr<function, PathState>, surface: Surface, choices: Choices) 
             @if(thin && relief) {
                 straight = straight && !surface.bent;
             }
+            @if(sources) note_scattered(surface.index, drawn.pdf, straight);
             // Light sampling goes straight on there too: what lies behind is weighted as if nothing were in between.
             (*state).pdf = select(drawn.pdf, (*state).pdf, straight);
             (*state).passed = select(0.0, (*state).passed + surface.t, straight);
         } @else {
+            @if(sources) note_scattered(surface.index, drawn.pdf, false);
             (*state).pdf = drawn.pdf;
         }
         (*state).bounce += 1u;
@@ -258,6 +266,7 @@ fn shade(state: ptr<function, PathState>, hit: Hit, @if(reuse) place: u32) -> Sh
     let light = incident_radiance(state, hit, material, mean, area_normal);
     var shaded: Shaded;
     let material_seen = select(triangle.material, NO_MATERIAL, missed);
+    @if(sources) note_found(params, hit.triangle, (*state).direction);
     shaded.alive = add_radiance(state, (*state).throughput * light, @if(reuse) lent.throughput * light, material_seen);
     if (shaded.alive && !missed && (*state).bounce + 1u < params.max_depth) {
         var frame = shading_frame_at(triangle, hit, area_normal, -(*state).direction);
@@ -334,12 +343,14 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
             most += params.max_depth * params.max_depth / 2u;
         }
         for (var i = 0u; i < most; i++) {
+            @if(probe_view || record) probe_bounce = select(state.bounce, probe_bounce, is_shadow_ray);
             let hit = extend(&state, ray, extent, select(0.0, connection.enough, is_shadow_ray));
             @if(record) begin_turn(state, ray, hit, is_shadow_ray);
             if (is_shadow_ray) {
                 @if(record) turn.throughput = connection.light;
                 let seen = sees_light(connection, hit);
                 if (seen) {
+                    @if(sources) note_sampled_arrives();
                     alive = add_radiance(&state, connection.light, @if(reuse) connection.lent, NO_MATERIAL) && alive;
                 }
                 is_shadow_ray = false;
@@ -364,6 +375,7 @@ fn trace_path(pixel: vec2<u32>, sample: u32, @if(reuse) place: u32) -> RadianceS
     }
     @if(!lights && !sky_light) {
         for (var segment = 0u; segment < params.max_depth; segment++) {
+            @if(probe_view || record) probe_bounce = state.bounce;
             let hit = extend(&state, segment_ray(state), extent, 0.0);
             @if(record) begin_turn(state, segment_ray(state), hit, false);
             let alive = shade(&state, hit, @if(reuse) place).alive;
@@ -386,14 +398,58 @@ fn prepare_workgroup(lane: u32, lanes: u32) {
     }
 }
 
-@compute @workgroup_size(8, 8)
-fn path(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    prepare_workgroup(lane, 64u);
-    if (id.x >= params.window_width || id.y >= params.window_height || id.z >= params.layers) {
-        return;
-    }
+// What an invocation traces.
+struct Task {
+    // Of the whole film.
+    pixel: vec2<u32>,
+    // Of the film.
+    sample: u32,
+    // Where it is in the batch.
+    place: u32,
+    exists: bool,
+}
+
+// Of a batch of layers of a rectangle.
+fn task_of(id: vec3<u32>) -> Task {
     let pixel = (id.xy << vec2<u32>(params.column_shift, params.row_shift)) + vec2<u32>(params.window_x, params.window_y);
     let place = (id.z * params.window_height + id.y) * params.window_width + id.x;
-    let sample = trace_path(pixel, params.first_sample + id.z, @if(reuse) place);
-    radiance[params.first_layer * params.window_height * params.window_width + place] = sample;
+    let exists = id.x < params.window_width && id.y < params.window_height && id.z < params.layers;
+    return Task(pixel, params.first_sample + id.z, place, exists);
+}
+
+// Of a batch of tiles: the workgroups are numbered, each has a sample of one.
+@if(adaptive)
+fn task_in_tile(number: u32, lane: u32) -> Task {
+    let listed = tile_samples[min(number, params.tile_samples - 1u)];
+    let pixel = tile_corner(listed.tile) + place_in_tile(lane);
+    @if(reuse) {
+        // All of the tile, whatever is kept of it: its pixels need each other.
+        let exists = all(pixel < vec2<u32>(params.film_width, params.film_height));
+        return Task(pixel, listed.sample, number * TILE_LANES + lane, number < params.tile_samples && exists);
+    } @else {
+        let place = pixel - vec2<u32>(params.window_x, params.window_y);
+        let exists = all(place < vec2<u32>(params.window_width, params.window_height));
+        return Task(pixel, listed.sample, number * TILE_LANES + lane, number < params.tile_samples && exists);
+    }
+}
+
+@compute @workgroup_size(8, 8)
+fn path(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+    @if(adaptive) @builtin(workgroup_id) group: vec3<u32>,
+    @if(adaptive) @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    prepare_workgroup(lane, 64u);
+    var task = task_of(id);
+    @if(adaptive) {
+        if (params.tile_samples > 0u) {
+            task = task_in_tile(group.x + group.y * groups.x, lane);
+        }
+    }
+    if (!task.exists) {
+        return;
+    }
+    let sample = trace_path(task.pixel, task.sample, @if(reuse) task.place);
+    radiance[params.first_layer * params.window_height * params.window_width + task.place] = sample;
 }

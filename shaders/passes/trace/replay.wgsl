@@ -2,7 +2,7 @@
 
 import package::gen::{Replayed};
 import package::passes::trace::path::{params, prepare_workgroup, trace_path};
-import package::passes::trace::record::{turn_count};
+import package::passes::trace::record::{keep_probed, probed_all, probed_kept, turn_count};
 
 @group(0) @binding(23) var<storage, read_write> replayed: Replayed;
 
@@ -15,5 +15,7 @@ fn replay(@builtin(local_invocation_index) lane: u32) {
     }
     // What the path lends is read by nobody here.
     let sample = trace_path(vec2<u32>(params.window_x, params.window_y), params.first_sample, @if(reuse) 0u);
-    replayed = Replayed(sample.rgb, sample.info, turn_count, 0u, 0u, 0u);
+    // What was shown at the path's end, behind its last ray.
+    keep_probed();
+    replayed = Replayed(sample.rgb, sample.info, turn_count, probed_all, probed_kept, 0u);
 }

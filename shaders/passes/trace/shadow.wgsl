@@ -10,6 +10,7 @@ import package::lib::intersect::{offset_ray_origin};
 @if(record && (lights || sky_light)) import package::lib::record::{note_light, turn};
 @if(lights || sky_light) import package::passes::trace::connect::{AROUND_LIGHT, draw_light};
 @if(lights && point_lights) import package::passes::trace::connect::{is_point};
+@if(sources && (lights || sky_light)) import package::passes::trace::brought::{note_sampled};
 @if(alpha || thin) import package::passes::trace::materials::{load_material};
 @if(reuse && (lights || sky_light)) import package::passes::trace::reuse::{parts_of};
 @if(alpha || thin) import package::passes::trace::scene::{load_leaf};
@@ -48,6 +49,7 @@ fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u
     let drawn = draw_light(params, surface.position, pick, u, texel);
     let at = mixture_evaluate(surface.material, surface.frame, drawn.direction);
     @if(record) note_light(u, drawn.direction, drawn.pdf, drawn.radiance, drawn.triangle, at.value, at.pdf);
+    @if(sources) note_sampled(params, surface.index, drawn.triangle, drawn.end > 0.0, drawn.direction);
     var light = vec3<f32>(0.0);
     @if(reuse) var lent_light = vec3<f32>(0.0);
     if (drawn.pdf > 0.0 && at.pdf > 0.0) {

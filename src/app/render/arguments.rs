@@ -26,6 +26,12 @@ pub struct RenderArguments {
     /// Write to this file: .png, .exr or .json; may be given several times [default: result/SCENE.png, .exr and .json]
     #[arg(short, value_name = "FILE", value_parser = output)]
     pub output: Vec<Output>,
+    /// Tell where the picture's error comes from: which light, by which way, at which bounce
+    #[arg(long)]
+    pub sources: bool,
+    /// Tell where the picture hangs on single bright samples, by a mean that leaves them out; the picture stays what it is
+    #[arg(long)]
+    pub robust: bool,
     /// Print where the time went, phase by phase and pass by pass
     #[arg(long)]
     pub stats: bool,

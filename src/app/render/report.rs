@@ -6,12 +6,16 @@ use glam::UVec2;
 use serde_json::{Value, json};
 
 use super::arguments::RenderArguments;
+use super::rendered::{Band, FilmSummary};
 use super::until::{Ended, Until};
 use crate::app::shared::describe::Described;
+use crate::app::shared::memory;
 use crate::app::shared::quality::Quality;
-use crate::engine::{FilmError, FilmImage, Report};
+use crate::app::shared::sources;
+use crate::components::Crop;
+use crate::engine::{ErrorSources, FilmError, Report, RobustFilm, TileCounts, Worst};
 use crate::image::Outputs;
-use crate::layout::film::BadSample;
+use crate::layout::film::{BadSample, ROBUST_BLOCKS};
 use crate::layout::sort::SORT_DIGITS;
 use crate::passes::features::{FEATURES, Feature};
 use crate::passes::table::TABLE;
@@ -20,6 +24,9 @@ use crate::scene::settings::Named;
 
 /// Bad samples whose command lines are shown.
 const TOLD: usize = 4;
+
+/// Buffers whose bytes are shown.
+const LARGEST: usize = 5;
 
 /// Wall-clock seconds of the phases.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,6 +39,8 @@ pub struct Seconds {
     pub estimate: f64,
     /// Reading the finished film back, with all that is said of it.
     pub read: f64,
+    /// Finding out where its error comes from.
+    pub sources: f64,
     /// From the start of the process to the film's return.
     pub total: f64,
 }
@@ -44,17 +53,31 @@ pub struct RenderSummary<'a> {
     pub path: &'a Path,
     /// As it was rendered.
     pub description: &'a SceneDescription,
-    pub film: &'a FilmImage,
+    pub film: &'a FilmSummary,
     pub report: &'a Report,
+    /// Where its error comes from, where that was asked.
+    pub sources: Option<&'a ErrorSources>,
+    /// Its robust means, where those were asked.
+    pub robust: Option<&'a RobustFilm>,
     pub seconds: Seconds,
     pub until: Until,
-    pub ended: Ended,
+    /// Bytes of memory that the process took at most; none where the system does not tell.
+    pub process_peak: Option<u64>,
 }
 
 impl RenderSummary<'_> {
     /// What is needed to repeat the render, for the files' metadata.
     pub fn metadata(&self) -> Vec<(&'static str, String)> {
-        self.described().metadata()
+        self.described().metadata_with(self.repeat())
+    }
+
+    /// A command line that gives the same film again. Bands of unlike samples are traced anew for as long as they were to be.
+    fn repeat(&self) -> String {
+        let [least, most] = self.film.samples();
+        match least == most {
+            true => self.described().repeat(),
+            false => self.described().rendered(self.until.flags()),
+        }
     }
 
     fn described(&self) -> Described<'_> {
@@ -64,7 +87,7 @@ impl RenderSummary<'_> {
             defines: &self.arguments.flags.define,
             shaders: self.arguments.flags.shaders.as_deref(),
             window: self.film.window,
-            spp: self.film.spp,
+            spp: self.film.spp(),
             adapter: &self.report.adapter,
         }
     }
@@ -72,7 +95,7 @@ impl RenderSummary<'_> {
     /// The report as one JSON object.
     pub fn json(&self, outputs: &Outputs) -> Value {
         let (scene, film, report) = (self.description, self.film, self.report);
-        let window = film.window;
+        let (window, ended) = (film.window, film.ended());
         let passes: Vec<Value> = report
             .passes
             .iter()
@@ -92,14 +115,14 @@ impl RenderSummary<'_> {
             .collect();
         let writes: serde_json::Map<String, Value> =
             outputs.seconds().iter().map(|(name, seconds)| (name.clone(), (*seconds).into())).collect();
-        json!({
+        let mut whole = json!({
             "version": env!("CARGO_PKG_VERSION"),
             "scene": scene.name,
             "scene_file": self.path.display().to_string(),
             "adapter": report.adapter,
             "size": [film.size.x, film.size.y],
             "crop": [window.min.x, window.max.x, window.min.y, window.max.y],
-            "spp": film.spp,
+            "spp": film.spp(),
             "triangles": report.triangles,
             "nodes": report.nodes,
             "textures": report.textures,
@@ -111,12 +134,13 @@ impl RenderSummary<'_> {
             "max_depth": scene.render.max_depth,
             "roulette": scene.render.roulette,
             "reuse": scene.render.reuse.name(),
+            "adaptive": scene.render.adaptive.name(),
             "energy": scene.render.energy.variant(),
             "exposure": scene.film.exposure,
             "tone": scene.film.tone.name(),
-            "repeat": self.described().repeat(),
-            "interrupted": self.ended == Ended::Interrupted,
-            "ended_by": self.ended.word(),
+            "repeat": self.repeat(),
+            "interrupted": ended == Ended::Interrupted,
+            "ended_by": ended.word(),
             "quality": self.until.quality.map(Quality::name),
             "error_wanted": self.until.error,
             "seconds": {
@@ -128,23 +152,95 @@ impl RenderSummary<'_> {
                 "trace": report.seconds_trace,
                 "estimate": self.seconds.estimate,
                 "read": self.seconds.read,
+                "sources": self.seconds.sources,
                 "total": self.seconds.total,
                 "write": writes,
             },
             "samples": report.samples,
             "rays": report.rays,
             "rays_per_second": self.rays_per_second(),
-            "mean": film.mean,
+            "mean": film.mean(),
             // Null with one sample a pixel: that gives no error.
-            "relative_error": self.error().map(|error| error.relmse),
+            "relative_error": film.error().map(|error| error.relmse),
             // It is at most this, with 95 % confidence.
-            "relative_error_bound": self.error().map(|error| error.bound),
+            "relative_error_bound": film.error().map(|error| error.bound),
             "bad_samples": report.bad_samples,
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
             "passes": passes,
             "compiled": compiled,
             "skipped": self.skipped(),
             "outputs": outputs.names(),
+        });
+        // Null where all pixels have the same number.
+        let tiles = |tiles: TileCounts| json!({ "tiles": tiles.tiles, "least": tiles.least, "median": tiles.median, "most": tiles.most });
+        whole["tile_samples"] = report.tiles.map(tiles).into();
+        // Null without --sources.
+        whole["sources"] = self.sources.map(|found| sources::report(found, &scene.render)).into();
+        // Null without --robust.
+        whole["robust"] = self.robust.map(|robust| self.robust_report(robust)).into();
+        whole["memory"] = self.memory();
+        // Null where the film was traced at once.
+        whole["bands"] = self.bands().into();
+        // Null but where rows were left.
+        whole["rest"] = self.rest(outputs).into();
+        whole
+    }
+
+    /// Of each band, its rows and what they have.
+    fn bands(&self) -> Option<Vec<Value>> {
+        let told = |band: &Band| {
+            let error = (band.spp > 1).then(|| band.error.error());
+            json!({
+                "rows": [band.window.min.y, band.window.max.y],
+                "spp": band.spp,
+                "ended_by": band.ended.word(),
+                "relative_error": error.map(|error| error.relmse),
+                "relative_error_bound": error.map(|error| error.bound),
+            })
+        };
+        self.film.is_in_bands().then(|| self.film.bands.iter().map(told).collect())
+    }
+
+    /// A command line that renders, to files of their own, the rows that an interrupt left black, with those of the band that it cut short.
+    fn rest(&self, outputs: &Outputs) -> Option<String> {
+        let film = self.film;
+        if !film.is_in_bands() || film.ended() != Ended::Interrupted {
+            return None;
+        }
+        let cut = film.bands.last().filter(|band| band.ended == Ended::Interrupted);
+        let first = cut.map_or(film.end(), |band| band.window.min.y);
+        let files: Vec<String> = outputs.names().iter().map(|name| beside(name, first)).collect();
+        let window = Crop { min: film.window.min.with_y(first), max: film.window.max };
+        Some(self.described().part(window, self.until.flags(), &files))
+    }
+
+    /// What an interrupt left; nothing without one.
+    pub fn interrupted_lines(&self, outputs: &Outputs) -> Vec<String> {
+        let film = self.film;
+        let of = self.until.spp.map_or(String::new(), |spp| format!(" of {spp}"));
+        match (film.ended(), self.rest(outputs)) {
+            (Ended::Interrupted, None) => vec![format!("interrupted at {}{of} spp", film.spp())],
+            (Ended::Interrupted, Some(rest)) => vec![
+                format!(
+                    "interrupted in row {} of {}: those below are black; this renders the rest:",
+                    film.end(),
+                    film.size.y
+                ),
+                format!("  {rest}"),
+            ],
+            _ => Vec::new(),
+        }
+    }
+
+    /// Bytes of memory. Null where the system does not tell.
+    fn memory(&self) -> Value {
+        let device = &self.report.memory;
+        let buffers: serde_json::Map<String, Value> =
+            device.buffers.iter().map(|(name, bytes)| ((*name).to_owned(), (*bytes).into())).collect();
+        json!({
+            "device_peak": device.held.most,
+            "device_buffers": buffers,
+            "process_peak": self.process_peak,
         })
     }
 
@@ -155,6 +251,8 @@ impl RenderSummary<'_> {
             "passes": self.passes_not_run().collect::<Vec<_>>(),
             // Null where no pass sorted.
             "digits": self.report.sorted_digits.map(|digits| SORT_DIGITS - digits),
+            // Tiles of an adaptive film that were quiet enough for no work in its last round. Null where all pixels have as many samples.
+            "tiles": self.report.tiles.map(|tiles| tiles.idle),
         })
     }
 
@@ -178,9 +276,56 @@ impl RenderSummary<'_> {
         })
     }
 
-    /// What the film tells of its error; with one sample a pixel, nothing.
-    fn error(&self) -> Option<FilmError> {
-        (self.film.spp > 1).then_some(self.film.error)
+    /// Where the film hangs on single samples, for programs.
+    fn robust_report(&self, robust: &RobustFilm) -> Value {
+        let worst = |worst: &Worst| {
+            let pixel = self.place(worst.index);
+            json!({
+                "pixel": [pixel.x, pixel.y],
+                "plain": worst.plain,
+                "robust": worst.robust,
+                "brightest": worst.brightest,
+                "sample": worst.sample,
+                "replay": self.described().replay(pixel, worst.sample),
+            })
+        };
+        json!({
+            "blocks": ROBUST_BLOCKS,
+            "plain": robust.plain,
+            "robust": robust.robust,
+            "parted": robust.parted,
+            "worst": robust.worst.iter().map(worst).collect::<Vec<_>>(),
+        })
+    }
+
+    /// The same for users, where that was asked.
+    fn robust_lines(&self) -> String {
+        let Some(robust) = self.robust else { return String::new() };
+        let mut text = format!(
+            "  robust mean {:.4} beside {:.4} (luminance); {:.2} % of the pixels part by more than their blocks explain\n",
+            robust.robust,
+            robust.plain,
+            100.0 * robust.parted
+        );
+        for worst in &robust.worst {
+            let pixel = self.place(worst.index);
+            text += &format!(
+                "    {},{}: {:.3} is {:.3} without its brightest samples; the first of these is {:.3e}:\n      {}\n",
+                pixel.x,
+                pixel.y,
+                worst.plain,
+                worst.robust,
+                worst.brightest,
+                self.described().replay(pixel, worst.sample)
+            );
+        }
+        text
+    }
+
+    /// A pixel of the whole film by its place in the window.
+    fn place(&self, index: usize) -> UVec2 {
+        let width = self.film.window.size().x.max(1);
+        self.film.window.min + UVec2::new(index as u32 % width, index as u32 / width)
     }
 
     fn pixel(&self, bad: &BadSample) -> UVec2 {
@@ -214,23 +359,29 @@ impl RenderSummary<'_> {
     pub fn text(&self, outputs: &Outputs, stats: bool) -> String {
         let (film, report) = (self.film, self.report);
         let size = film.window.size();
+        let samples = match film.samples() {
+            [least, most] if least == most => least.to_string(),
+            [least, most] => format!("{least} to {most}"),
+        };
         let mut text = format!(
             "{}: {}x{}, {} spp, {} triangles, {:.2} s ({:.2} Mrays/s), {}\n",
             self.description.name,
             size.x,
             size.y,
-            film.spp,
+            samples,
             report.triangles,
             self.seconds.total,
             self.rays_per_second() * 1e-6,
-            match self.error() {
+            match film.error() {
                 None => "too few samples to tell the error".to_owned(),
                 Some(FilmError { relmse, bound }) => format!("relMSE {relmse:.1e} (95 %: below {bound:.1e})"),
             },
         );
-        if let Some(line) = self.until.line(self.ended, self.error()) {
+        if let Some(line) = self.until.line(film.ended(), film.error()) {
             text += &format!("  {line}\n");
         }
+        text += &self.source_lines();
+        text += &self.robust_lines();
         if stats {
             text += &self.stats(outputs);
         }
@@ -240,11 +391,18 @@ impl RenderSummary<'_> {
         text
     }
 
+    /// Where the error comes from, and what helps, where that was asked.
+    fn source_lines(&self) -> String {
+        let Some(found) = self.sources else { return String::new() };
+        let hint = sources::hint(found, &self.description.render).map(|hint| format!("what helps: {hint}"));
+        sources::lines(found).into_iter().chain(hint).map(|line| format!("  {line}\n")).collect()
+    }
+
     fn stats(&self, outputs: &Outputs) -> String {
         let (report, seconds) = (self.report, self.seconds);
         let mut text = format!(
             "  {}\n  start {:.3} s, and load {:.3} s beside it; extract {:.3} s, compile {:.3} s, build {:.3} s, trace {:.3} s, \
-             estimate {:.3} s, read {:.3} s; total {:.3} s\n  {} rays, {} samples, {} bad\n",
+             estimate {:.3} s, read {:.3} s, sources {:.3} s; total {:.3} s\n  {} rays, {} samples, {} bad\n",
             report.adapter,
             seconds.start,
             seconds.load,
@@ -254,6 +412,7 @@ impl RenderSummary<'_> {
             report.seconds_trace,
             seconds.estimate,
             seconds.read,
+            seconds.sources,
             seconds.total,
             report.rays,
             report.samples,
@@ -262,6 +421,7 @@ impl RenderSummary<'_> {
         for (name, seconds) in outputs.seconds() {
             text += &format!("  written in {seconds:.3} s: {name}\n");
         }
+        text += &self.memory_lines();
         text += &self.skipped_lines();
         for pass in &report.compiles {
             let (link, driver) = (pass.link_milliseconds, pass.driver_milliseconds);
@@ -280,6 +440,26 @@ impl RenderSummary<'_> {
         text
     }
 
+    /// What was held at most, and the largest buffers.
+    fn memory_lines(&self) -> String {
+        let device = &self.report.memory;
+        let largest: Vec<String> = device
+            .buffers
+            .iter()
+            .take(LARGEST)
+            .map(|(name, bytes)| format!("{name} {}", memory::shown(*bytes)))
+            .collect();
+        let process =
+            self.process_peak.map_or(String::new(), |bytes| format!("; process {} at most", memory::shown(bytes)));
+        let (most, largest) = (memory::shown(device.held.most), largest.join(", "));
+        let mut text = format!("  memory: buffers on the device {most} at most ({largest}){process}\n");
+        if self.film.is_in_bands() {
+            text +=
+                &format!("  traced in {} bands of rows, for the film is larger than a buffer\n", self.film.bands.len());
+        }
+        text
+    }
+
     /// What is not compiled, not run and not sorted.
     fn skipped_lines(&self) -> String {
         let left_out: Vec<&str> = self.features_left_out().map(|feature| feature.what).collect();
@@ -291,10 +471,22 @@ impl RenderSummary<'_> {
             left_out.join(", ")
         );
         text += &format!("  not run, {} of {} passes: {}\n", not_run.len(), TABLE.len(), not_run.join(", "));
+        if let Some(TileCounts { tiles, least, median, most, idle }) = self.report.tiles {
+            text += &format!("  not traced in the last round, {idle} of {tiles} tiles: they are quiet enough\n");
+            text += &format!("  samples a pixel by tile: least {least}, median {median}, most {most}\n");
+        }
         if let Some(digits) = self.report.sorted_digits {
             text +=
                 &format!("  not sorted, {} of {SORT_DIGITS} digits: all keys agree in them\n", SORT_DIGITS - digits);
         }
         text
     }
+}
+
+/// The name of a file beside another one, for the rows from `first` on.
+fn beside(name: &str, first: u32) -> String {
+    let path = Path::new(name);
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = path.extension().map_or(String::new(), |ending| format!(".{}", ending.to_string_lossy()));
+    path.with_file_name(format!("{stem}-rows-{first}{ending}")).display().to_string()
 }

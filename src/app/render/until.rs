@@ -19,15 +19,15 @@ pub struct Until {
     pub quality: Option<Quality>,
 }
 
-/// How tracing ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// How tracing ended; what is more a pity comes later.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ended {
+    /// The film's error is as small as it was to be.
+    Error,
     /// Every pixel has its samples.
     Samples,
     /// The time is up.
     Time,
-    /// The film's error is as small as it was to be.
-    Error,
     Interrupted,
 }
 
@@ -77,6 +77,17 @@ impl Until {
             (false, true) => Next::End(Ended::Samples),
             (false, false) => Next::Samples(next_look(spp, bound / wanted).min(most)),
         })
+    }
+
+    /// The flags that say so: names, and values.
+    pub fn flags(&self) -> Vec<(&'static str, String)> {
+        if let Some(quality) = self.quality {
+            return vec![("--quality", quality.name().to_owned())];
+        }
+        let spp = self.spp.map(|spp| ("--spp", spp.to_string()));
+        let error = self.error.map(|error| ("--error", format!("{error:e}")));
+        let seconds = self.seconds.map(|seconds| ("--time", seconds.to_string()));
+        spp.into_iter().chain(error).chain(seconds).collect()
     }
 
     /// What is shown as progress, of a picture of so many pixels. `spent` are the seconds that the process has run.

@@ -9,6 +9,7 @@ use super::third::{Beside, Third};
 use super::told::Told;
 use crate::cpu::replay::{Parting, Values, numbers_of};
 use crate::cpu::turn::{RayKind, Turn};
+use crate::engine::{ProbedNumber, ProbedValue};
 use crate::layout::trace::{RadianceSample, SAMPLE_BAD};
 
 /// All of it. Numbers that are none are texts.
@@ -34,6 +35,8 @@ pub fn json(told: &Told, bundle: Option<&Path>) -> Value {
         "explained": replay.verdict.is_explained(),
         "parting": comparison.parting.as_ref().map(|parting| of_parting(told, parting)),
         "turns": turns,
+        "probed": replay.probed.iter().map(|probed| of_probed(replay.rays, probed)).collect::<Vec<Value>>(),
+        "all_probed": replay.all_probed,
         "repeat": told.repeat,
         "bundle": bundle.map(|folder| folder.display().to_string()),
     })
@@ -100,6 +103,18 @@ fn of_turn(told: &Told, i: usize, turn: &Turn) -> Value {
         "numbers": quantities,
         "oracle": told.third.get(i).and_then(Option::as_ref).map(of_oracle),
     })
+}
+
+/// A number that code shows; behind the last ray it is of none.
+fn of_probed(rays: u32, probed: &ProbedNumber) -> Value {
+    let value = match &probed.value {
+        ProbedValue::Numbers(numbers) if numbers.len() == 1 => number(numbers[0].into()),
+        ProbedValue::Numbers(numbers) => numbers.iter().map(|x| number((*x).into())).collect(),
+        ProbedValue::Whole(whole) => json!(whole),
+        ProbedValue::Switch(on) => json!(on),
+    };
+    let turn = (probed.turn < rays as usize).then_some(probed.turn);
+    json!({ "name": probed.name, "vertex": probed.bounce + 1, "turn": turn, "value": value })
 }
 
 fn of_oracle(third: &Third) -> Value {

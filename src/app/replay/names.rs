@@ -1,8 +1,9 @@
 //! What vertices and decisions are called.
 
+use super::numbers::number;
 use crate::cpu::replay::{Parting, Why};
 use crate::cpu::turn::{RayKind, Turn};
-use crate::engine::Replay;
+use crate::engine::{ProbedValue, Replay};
 use crate::layout::trace::{BAD_INFINITE, BAD_NAN, BAD_NEGATIVE, BAD_OVERFLOW};
 
 /// What a triangle is part of.
@@ -66,6 +67,18 @@ pub fn decided(replay: &Replay, parting: &Parting) -> String {
 pub fn grazes(turn: &Turn) -> Option<f64> {
     const GRAZING: f64 = 0.05;
     (turn.met.is_some() && turn.slack.cos < GRAZING).then(|| turn.slack.cos.asin().to_degrees())
+}
+
+/// A number that code shows.
+pub fn probed(value: &ProbedValue) -> String {
+    match value {
+        ProbedValue::Numbers(numbers) => {
+            let texts: Vec<String> = numbers.iter().map(|x| number((*x).into())).collect();
+            texts.join(" ")
+        }
+        ProbedValue::Whole(whole) => whole.to_string(),
+        ProbedValue::Switch(on) => on.to_string(),
+    }
 }
 
 /// What is wrong with a bad sample.

@@ -9,6 +9,7 @@ use super::third::{Beside, Third};
 use super::told::Told;
 use crate::cpu::replay::{Values, numbers_of};
 use crate::cpu::turn::{RayKind, Turn};
+use crate::engine::ProbedNumber;
 use crate::layout::trace::{RadianceSample, SAMPLE_BAD};
 
 /// All of it; `bundle` is the folder that was written.
@@ -17,9 +18,18 @@ pub fn text(told: &Told, bundle: Option<&Path>) -> String {
     for (i, turn) in told.replay.gpu.iter().enumerate() {
         text += "\n";
         text += &block(told, i, turn);
+        text += &shown(told, i);
     }
     if told.replay.rays as usize > told.replay.gpu.len() {
         let _ = writeln!(text, "\nand {} rays more", told.replay.rays as usize - told.replay.gpu.len());
+    }
+    let behind = shown(told, told.replay.rays as usize);
+    if !behind.is_empty() {
+        let _ = write!(text, "\nbehind the last ray\n{behind}");
+    }
+    let (kept, all) = (told.replay.probed.len(), told.replay.all_probed as usize);
+    if all > kept {
+        let _ = writeln!(text, "\nand {} numbers more that code shows: {kept} are kept", all - kept);
     }
     if let Some(folder) = bundle {
         let _ = writeln!(text, "\nwritten to {}: its README.md has the command", folder.display());
@@ -134,6 +144,15 @@ fn block(told: &Told, i: usize, turn: &Turn) -> String {
         text += &oracle(third);
     }
     text
+}
+
+/// The numbers that code shows of a ray, in the order of its calls.
+fn shown(told: &Told, turn: usize) -> String {
+    let of_turn = told.replay.probed.iter().filter(|probed| probed.turn == turn);
+    let line = |probed: &ProbedNumber| {
+        format!("  probe {:<29} {}\n", format!("\"{}\"", probed.name), names::probed(&probed.value))
+    };
+    of_turn.map(line).collect()
 }
 
 /// What a ray came to.

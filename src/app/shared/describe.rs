@@ -28,6 +28,11 @@ pub struct Described<'a> {
 impl Described<'_> {
     /// What is needed to repeat the render. Nothing in it differs between equal renders on one machine.
     pub fn metadata(&self) -> Vec<(&'static str, String)> {
+        self.metadata_with(self.repeat())
+    }
+
+    /// The same with another command line that repeats it.
+    pub fn metadata_with(&self, repeat: String) -> Vec<(&'static str, String)> {
         let scene = self.description;
         let defines: Vec<String> =
             self.defines.iter().map(|define| format!("{}={}", define.path, define.value)).collect();
@@ -41,17 +46,29 @@ impl Described<'_> {
             ("spp", self.spp.to_string()),
         ];
         data.extend(settings(scene).map(|(setting, text)| (setting.field, text)));
-        data.extend([("adapter", self.adapter.to_owned()), ("repeat", self.repeat())]);
+        data.extend([("adapter", self.adapter.to_owned()), ("repeat", repeat)]);
         data
     }
 
     /// A command line that gives the same film again.
     pub fn repeat(&self) -> String {
         // Interrupted within the first sample, there is none to be had again that is whole.
-        let mut own = vec![("--spp", self.spp.max(1).to_string())];
+        self.rendered(vec![("--spp", self.spp.max(1).to_string())])
+    }
+
+    /// A command line that renders the film again for as long as flags say.
+    pub fn rendered(&self, mut until: Vec<(&'static str, String)>) -> String {
         if self.description.film.crop.is_some() {
-            own.push(("--crop", crop(self.window)));
+            until.push(("--crop", crop(self.window)));
         }
+        self.line("render", until)
+    }
+
+    /// A command line that renders a part of the film for as long as flags say, to other files.
+    pub fn part(&self, window: Crop, until: Vec<(&'static str, String)>, files: &[String]) -> String {
+        let mut own = until;
+        own.push(("--crop", crop(window)));
+        own.extend(files.iter().map(|file| ("-o", file.clone())));
         self.line("render", own)
     }
 

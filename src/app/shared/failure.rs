@@ -112,6 +112,7 @@ impl From<GpuError> for Failure {
         let exit = match error {
             GpuError::NoAdapter
             | GpuError::NoSuchAdapter { .. }
+            | GpuError::NoSuchBuffer { .. }
             | GpuError::NoPresenter
             | GpuError::CannotPresent { .. } => Exit::NoAdapter,
             GpuError::Shader(_) => Exit::BrokenShaders,

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::failure::Exit;
 use super::output;
+use crate::image::file;
 
 /// What a command has to come to its own end. Reading, compiling and drivers may not come to one in any time.
 const GRACE: Duration = Duration::from_millis(500);
@@ -101,6 +102,7 @@ pub fn end_of_main(exit: Exit) -> std::process::ExitCode {
 
 /// Ends the process from any thread, whatever the others do.
 pub fn end(exit: Exit) -> ! {
+    file::remove_unfinished();
     let code = i32::from(exit.code());
     // SAFETY: this call has no conditions. It runs no exit handlers: those of drivers don't expect that their threads go on.
     #[cfg(unix)]

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use crate::components::{Integrator, Render, Reuse, Sampler, Tone};
+use crate::components::{Adaptive, Integrator, Render, Reuse, Sampler, Tone};
 use crate::scene::SceneDescription;
 
 /// Fowler, Noll and Vo's hash FNV-1a, 64 bits: the same on every machine and by every compiler.
@@ -37,7 +37,8 @@ pub fn scene_key(description: &SceneDescription) -> String {
     plain.name.clear();
     (plain.film.exposure, plain.film.tone) = (0.0, Tone::None);
     let (integrator, sampler) = (Integrator::Path, Sampler::Pcg);
-    plain.render = Render { integrator, sampler, roulette: false, reuse: Reuse::Off, seed: 0, spp: 1, ..plain.render };
+    let (reuse, adaptive) = (Reuse::Off, Adaptive::Off);
+    plain.render = Render { integrator, sampler, roulette: false, reuse, adaptive, seed: 0, spp: 1, ..plain.render };
     // Numbers are written so that they read back to the same bits.
     format!("{:016x}", hash(plain))
 }

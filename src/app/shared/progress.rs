@@ -46,6 +46,8 @@ pub struct Meter {
     renamed: bool,
     shown: Shown,
     goal: Goal,
+    /// Of all there is to do: what was done before the part that is under way, and what that part is.
+    part: (f64, f64),
     begin: Instant,
     samples: u64,
     spp: u32,
@@ -80,6 +82,7 @@ impl Meter {
             renamed: false,
             shown,
             goal,
+            part: (0.0, 1.0),
             begin: now,
             samples: 0,
             spp: 0,
@@ -94,6 +97,12 @@ impl Meter {
     pub fn rename(&mut self, name: &str) {
         name.clone_into(&mut self.name);
         self.renamed = true;
+    }
+
+    /// Says that a part of what there is to do begins: what share was done before it, and what share it is. It has an error of its own.
+    pub fn begin_part(&mut self, name: &str, before: f64, share: f64) {
+        self.rename(name);
+        (self.part, self.error, self.spp) = ((before, share), None, 0);
     }
 
     /// Shows how many seconds shaders have been compiled for.
@@ -164,7 +173,9 @@ impl Meter {
         let by_samples = self.goal.samples.map_or(0.0, |goal| self.samples as f64 / goal.max(1) as f64);
         let by_time = self.goal.seconds.map_or(0.0, |goal| self.elapsed().as_secs_f64() / goal);
         // The error falls with the samples.
-        let by_error = self.goal.error.zip(self.error).map_or(0.0, |(goal, error)| goal / error.bound);
+        let (before, share) = self.part;
+        let of_part = self.goal.error.zip(self.error).map_or(0.0, |(goal, error)| (goal / error.bound).clamp(0.0, 1.0));
+        let by_error = before + share * of_part;
         let done = by_samples.max(by_time).max(by_error);
         if done.is_nan() { 0.0 } else { done.clamp(0.0, 1.0) }
     }

@@ -64,9 +64,20 @@ impl Numbering {
             }
             other => format!("{other:?}"),
         };
-        let Render { integrator, sampler, roulette, reuse, energy, texture_filter, diffuse_map, texture_size, .. } =
-            scene.render;
-        let settings = (integrator, sampler, roulette, reuse, energy, texture_filter, diffuse_map, texture_size);
+        let Render {
+            integrator,
+            sampler,
+            roulette,
+            reuse,
+            adaptive,
+            energy,
+            texture_filter,
+            diffuse_map,
+            texture_size,
+            ..
+        } = scene.render;
+        let settings =
+            (integrator, sampler, roulette, reuse, adaptive, energy, texture_filter, diffuse_map, texture_size);
         let film = Film { exposure: 0.0, tone: Tone::None, ..scene.film };
         let view = (scene.cameras.get(&scene.active), film, scene.render.max_depth, scene.render.seed);
         Keys {

@@ -18,7 +18,7 @@ const LINES: [Stroke; 2] =
     [Stroke { width: 1.0, color: Color32::WHITE }, Stroke { width: 3.0, color: Color32::from_rgb(120, 190, 255) }];
 
 /// All of a texture.
-const WHOLE: Rect = Rect { min: pos2(0.0, 0.0), max: pos2(1.0, 1.0) };
+pub(super) const WHOLE: Rect = Rect { min: pos2(0.0, 0.0), max: pos2(1.0, 1.0) };
 
 /// What lies beside each other, if anything does.
 pub struct Beside {
@@ -130,14 +130,14 @@ impl Beside {
 }
 
 /// Where a picture lies on an area of the window, points.
-fn placed(context: &Context, fit: Fit, picture: UVec2, area: Rect) -> Rect {
+pub(super) fn placed(context: &Context, fit: Fit, picture: UVec2, area: Rect) -> Rect {
     let points = context.pixels_per_point();
     let pixels = (glam::vec2(area.width(), area.height()) * points).round().as_uvec2();
     let (min, extent) = fit.place(picture, pixels);
     Rect::from_min_size(area.min + vec2(min.x, min.y) / points, vec2(extent.x, extent.y) / points)
 }
 
-fn texture(context: &Context, name: &str, size: UVec2, pixels: &[[u8; 4]]) -> TextureHandle {
+pub(super) fn texture(context: &Context, name: &str, size: UVec2, pixels: &[[u8; 4]]) -> TextureHandle {
     let size = [size.x as usize, size.y as usize];
     let image = egui::ColorImage::from_rgba_unmultiplied(size, pixels.as_flattened());
     context.load_texture(name, image, egui::TextureOptions::NEAREST)

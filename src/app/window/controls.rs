@@ -22,6 +22,8 @@ pub enum Intent {
     Focus,
     /// The mesh under the pointer.
     Select,
+    /// The brightest paths of the pixel under the pointer, or to take them away.
+    Paths,
     FrameAll,
     /// The member of the family that is so many places farther.
     Member(i32),
@@ -46,6 +48,7 @@ pub enum Intent {
     Save,
     /// A key that means nothing, by what is written on it.
     Unknown(String),
+    /// Or to take away what lies over the picture.
     Quit,
 }
 
@@ -236,6 +239,7 @@ impl Controls {
                 "c" => Some(Intent::PrintCamera),
                 "[" => Some(Intent::Member(-1)),
                 "]" => Some(Intent::Member(1)),
+                "p" => Some(Intent::Paths),
                 "j" => Some(Intent::Judge),
                 "v" => Some(Intent::Split),
                 "b" => Some(Intent::Exposure(if self.shift { -0.5 } else { 0.5 })),

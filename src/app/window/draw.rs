@@ -6,6 +6,8 @@ use super::legend;
 use super::mark;
 use super::panel::edits::{EditsAction, EditsShown};
 use super::panel::{FamilyContext, Outcome, PanelContext};
+use super::paths;
+use super::paths::ShownPaths;
 use super::session::Session;
 use super::tracing::Rest;
 use crate::components::Camera;
@@ -22,21 +24,33 @@ impl Session {
         let placement = Placement { fit: self.fit(), area: self.area() };
         let name = self.name().to_owned();
         let mark = self.mark();
+        let lines = self.path_lines()?;
         let (view, scene_size) = (self.viewpoint.camera, self.scene_size());
-        let Session { screen, engine, overlay, panel, judgement, edits, members, thumbs, selected, .. } = self;
+        let Session {
+            screen, engine, overlay, panel, judgement, edits, members, thumbs, selected, errors, paths, ..
+        } = self;
         let mut outcome = Outcome::default();
         let (paint, again) = screen.run_ui(|ui| {
             if panel.open {
                 let family = members.as_ref().map(|members| FamilyContext { members, shown: &name, thumbs });
                 let (camera, selected) = (&view, selected.as_deref());
                 let edits = EditsShown::of(edits, judgement);
-                outcome.add(panel.show(ui, engine, PanelContext { camera, scene_size, family, selected, edits }));
+                let errors = errors.shown();
+                let paths = paths.shown.as_ref();
+                let context = PanelContext { camera, scene_size, family, selected, paths, edits, errors };
+                outcome.add(panel.show(ui, engine, context));
             }
+            if let Some(lines) = &lines {
+                paths::draw(ui.ctx(), ui.available_rect_before_wrap(), lines);
+            }
+            errors.draw(ui.ctx(), ui.available_rect_before_wrap(), placement.fit);
             if let Some(mark) = &mark {
                 mark::draw(ui.ctx(), ui.available_rect_before_wrap(), mark);
             }
+            let of_paths = paths.shown.as_ref().filter(|shown| !shown.paths.is_empty()).map(ShownPaths::legend);
+            let of_view = || legend::legend(engine.view(), engine.view_reach(), &engine.material_names());
             if !panel.open
-                && let Some(legend) = legend::legend(engine.view(), engine.view_reach(), &engine.material_names())
+                && let Some(legend) = of_paths.or_else(of_view)
             {
                 legend::draw::over(ui.ctx(), ui.available_rect_before_wrap(), legend);
             }
@@ -45,6 +59,9 @@ impl Session {
         self.activity.redraw = screen.draw(engine, placement, paint)? == Drawn::Later;
         // Else the next step would take the time of drawing for that of its samples.
         self.gpu.wait()?;
+        if let Some(action) = outcome.errors {
+            self.follow_errors_action(action)?;
+        }
         self.follow_panel(outcome);
         // egui says by the longest of times that it wants nothing.
         self.activity.ui_again = begin.checked_add(again).filter(|_| again < Duration::from_secs(3600));
@@ -74,6 +91,9 @@ impl Session {
         }
         if let Some(said) = outcome.said {
             self.notify(said);
+        }
+        if outcome.paths {
+            self.toggle_paths();
         }
         if let Some(name) = outcome.member {
             self.choose_member(&name);

@@ -54,7 +54,12 @@ impl Session {
 
     fn shows_ui(&self) -> bool {
         let legend = self.engine.view() != ViewMode::Beauty;
-        self.panel.open || legend || self.selected.is_some() || !self.overlay.is_empty() || self.judgement.is_shown()
+        self.panel.open
+            || legend
+            || self.selected.is_some()
+            || self.paths.is_shown()
+            || !self.overlay.is_empty()
+            || self.judgement.is_shown()
     }
 
     /// When the next frame is due; none while nothing changes.

@@ -45,6 +45,9 @@ impl Session {
         if self.activity.working && !self.judgement.has_device() {
             self.step()?;
         }
+        self.follow_errors()?;
+        self.outdate_paths();
+        self.trace_paths()?;
         if self.saving && self.tracing.is_whole() {
             self.saving = false;
             self.save()?;

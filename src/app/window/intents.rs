@@ -33,6 +33,7 @@ impl Session {
             Intent::Magnify(times) => self.magnify(times),
             Intent::Focus => self.focus(now)?,
             Intent::Select => self.select()?,
+            Intent::Paths => self.toggle_paths(),
             Intent::FrameAll => self.frame_all(now),
             Intent::Camera(place) => {
                 let names: Vec<String> = self.engine.read(cameras::all).into_keys().collect();
@@ -73,6 +74,7 @@ impl Session {
                 self.draw_again();
             }
             Intent::Unknown(key) => self.notify(format!("{key} does nothing here: F1 shows the keys")),
+            Intent::Quit if self.hide_paths() => {}
             Intent::Quit => self.quit(),
         }
         Ok(())

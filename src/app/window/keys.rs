@@ -10,6 +10,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("middle drag, Shift + left drag", "pan"),
     ("wheel, right drag", "come closer, go away"),
     ("Ctrl + wheel", "the picture's pixels as larger squares, up to 64:1; back to 1:1"),
+    ("P", "the brightest paths of the pixel under the pointer, over the picture; again: take them away"),
     ("W A S D, Q E", "fly; down and up"),
     ("Ctrl + left click", "focus to what is under the pointer"),
     ("F", "show the whole scene"),
@@ -30,7 +31,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("F5", "read shaders and scene again"),
     ("F11", "fullscreen"),
     ("F12", "save PNG and EXR to result/, and say the command that gives them again"),
-    ("Esc", "quit"),
+    ("Esc", "take paths away; quit"),
 ];
 
 /// The table as lines of text.

@@ -18,10 +18,12 @@
 //! | `dock` | pure: what the window gives to the picture, and what to the panel |
 //! | `placement` | where the picture lies, the size of its film, the pixel under the pointer |
 //! | `selection`, `mark`, `outline` | the mesh that was clicked; its mark over the picture; pure: the edges of its box as the camera sees them |
+//! | `path_tracing`, `paths`, `brightest` | the brightest paths of a pixel: asked for and taken away; over the picture; pure: which they are, and their lines |
 //! | `legend` | what the colours of a view mean; drawn in the panel, and over the picture where that is closed |
 //! | `magnifier` | pure: the picture's pixels as large squares |
 //! | `screen`, `overlay` | drawing: surface and user interface; help, notice, problems |
 //! | `beside` | drawing: two pictures with a divider between them |
+//! | `errors`, `surveying` | where the film's error comes from, in the panel and over the picture; finding it out, frame by frame |
 //! | `family`, `members`, `pair` | a variant file: its members, stepping through them, the last two side by side |
 //! | `save_edits`, `scene_file` | what was changed goes into the scene's file |
 //! | `saves`, `edits` | what was saved meanwhile; the record of it, kept and judged by itself |
@@ -34,12 +36,14 @@ pub mod alike;
 mod application;
 mod arguments;
 pub mod beside;
+pub mod brightest;
 mod cameras;
 mod controls;
 mod display;
 pub mod dock;
 mod draw;
 pub mod edits;
+mod errors;
 mod events;
 mod failures;
 pub mod family;
@@ -61,6 +65,8 @@ mod overlay;
 pub mod pace;
 pub mod pair;
 pub mod panel;
+mod path_tracing;
+mod paths;
 mod placement;
 mod reason;
 mod repeat;
@@ -71,6 +77,7 @@ mod screen;
 mod selection;
 mod session;
 mod snapshot;
+mod surveying;
 pub mod thumbs;
 pub mod tracing;
 pub mod viewpoint;

@@ -1,4 +1,4 @@
-//! The edges of a box as a camera sees them: pure, in f64.
+//! Lines in the scene, and the edges of a box, as a camera sees them: pure, in f64.
 
 use glam::{DVec2, DVec3, UVec2};
 
@@ -15,23 +15,26 @@ pub fn edges(camera: &Camera, film: UVec2, low: DVec3, high: DVec3) -> Vec<[DVec
     if !(low.cmple(high).all() && size.is_finite()) {
         return Vec::new();
     }
-    let frame = axes(camera);
     let nearest = (NEAREST * size).max(f64::MIN_POSITIVE);
     let corner = |index: usize| {
         let pick = |axis: usize| if index >> axis & 1 == 1 { high[axis] } else { low[axis] };
-        let from_camera = DVec3::new(pick(0), pick(1), pick(2)) - camera.position;
-        DVec3::from(frame.map(|axis| from_camera.dot(axis)))
+        DVec3::new(pick(0), pick(1), pick(2))
     };
     let pairs = (0..8usize).flat_map(|from| [1, 2, 4].map(|bit| (from, from | bit))).filter(|(from, to)| from != to);
+    pairs.filter_map(|(from, to)| segment(camera, film, [corner(from), corner(to)], nearest)).collect()
+}
+
+/// A line between two points, world space, as far as it is farther before the camera than `nearest`, above 0: both ends in pixels of the whole film, from its
+/// top left.
+pub fn segment(camera: &Camera, film: UVec2, ends: [DVec3; 2], nearest: f64) -> Option<[DVec2; 2]> {
+    let frame = axes(camera);
+    let [from, to] = ends.map(|end| DVec3::from(frame.map(|axis| (end - camera.position).dot(axis))));
     let cut = |from: DVec3, to: DVec3| match from.z < nearest {
         true => from + (to - from) * ((nearest - from.z) / (to.z - from.z)),
         false => from,
     };
-    pairs
-        .map(|(from, to)| (corner(from), corner(to)))
-        .filter(|(from, to)| from.z.max(to.z) > nearest)
-        .map(|(from, to)| [cut(from, to), cut(to, from)].map(|point| project(camera, film, point)))
-        .collect()
+    let is_before = from.z.max(to.z) > nearest;
+    is_before.then(|| [cut(from, to), cut(to, from)].map(|point| project(camera, film, point)))
 }
 
 /// Where a point is on the film, pixels from its top left. The point is in the camera's axes, before it: right, up and forward.

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use glam::UVec2;
+
 use crate::app::shared::describe::{Described, quoted};
 use crate::app::shared::scene::SceneFlags;
 use crate::engine::FilmImage;
@@ -33,6 +35,15 @@ pub struct Repeat {
 }
 
 impl Shown<'_> {
+    /// The command that replays a sample of a pixel of the whole film; none of a member, which has none of its own.
+    pub fn replay(&self, pixel: UVec2, sample: u32) -> Option<String> {
+        if self.is_member {
+            return None;
+        }
+        let (defines, _) = self.said();
+        Some(self.described(&defines).replay(pixel, sample))
+    }
+
     /// The command that gives the same film again.
     pub fn repeat(&self) -> Repeat {
         if self.is_member {
@@ -42,6 +53,12 @@ impl Shown<'_> {
             let line = format!("lucerna variants {file} --only {name} --spp {spp} --size {}x{}", size.x, size.y);
             return Repeat { line, lacks_edits: self.edits(self.saved) };
         }
+        let (defines, said) = self.said();
+        Repeat { line: self.described(&defines).repeat(), lacks_edits: self.edits(&said) }
+    }
+
+    /// What command lines say beside flags, and the scene that comes of that.
+    fn said(&self) -> (Vec<Define>, SceneDescription) {
         let mut defines = self.flags.define.clone();
         let mut said = self.saved.clone();
         said.active.clone_from(&self.scene.active);
@@ -54,16 +71,19 @@ impl Shown<'_> {
         }
         defines.extend(self.unflagged());
         (said.film, said.render) = (self.scene.film, self.scene.render);
-        let described = Described {
+        (defines, said)
+    }
+
+    fn described<'a>(&'a self, defines: &'a [Define]) -> Described<'a> {
+        Described {
             path: self.path,
             description: self.scene,
-            defines: &defines,
+            defines,
             shaders: self.flags.shaders.as_deref(),
             window: self.film.window,
             spp: self.film.spp,
             adapter: &self.adapter,
-        };
-        Repeat { line: described.repeat(), lacks_edits: self.edits(&said) }
+        }
     }
 
     /// Whether the scene is another than one that can be said, whatever its film's size and samples are.

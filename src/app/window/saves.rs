@@ -46,6 +46,7 @@ impl Session {
                     let more = self.record_taken(&files, restarts, since_save, member.is_some());
                     self.report(more.map_or(taken.clone(), |more| format!("{taken}; {more}")));
                     if restarts.film {
+                        self.hide_paths();
                         self.tracing.began = Instant::now();
                     }
                     self.follow_files();

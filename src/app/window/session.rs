@@ -12,6 +12,7 @@ use super::activity::Activity;
 use super::cameras;
 use super::controls::Controls;
 use super::edits::Edits;
+use super::errors::Errors;
 use super::failures::Failures;
 use super::family::{Family, Listing};
 use super::judgement::Judgement;
@@ -20,6 +21,7 @@ use super::opening::Opening;
 use super::overlay::Overlay;
 use super::pair::Pair;
 use super::panel::Panel;
+use super::paths::Paths;
 use super::repeat::Shown;
 use super::scene_file::Kept;
 use super::screen::Screen;
@@ -52,11 +54,15 @@ pub struct Session {
     pub(super) magnifier: Magnifier,
     /// The name of the mesh that was clicked.
     pub(super) selected: Option<String>,
+    /// The brightest paths of a pixel, over the picture.
+    pub(super) paths: Paths,
     /// The pixel of the picture that is looked at.
     pub(super) pixel: Option<UVec2>,
     pub(super) tracing: Tracing,
     pub(super) activity: Activity,
     pub(super) failures: Failures,
+    /// Where the film's error comes from, where that was asked.
+    pub(super) errors: Errors,
     pub(super) textures: TextureNotices,
     /// The film is to be saved once each pixel has a sample.
     pub(super) saving: bool,
@@ -111,10 +117,12 @@ impl Session {
             viewpoint: Viewpoint::new(view, opening.opened.description.cameras.clone()),
             magnifier: Magnifier::default(),
             selected: None,
+            paths: Paths::default(),
             pixel: None,
             tracing: Tracing::new(most_pixels, now),
             activity: Activity::new(now),
             failures: Failures::default(),
+            errors: Errors::default(),
             textures: TextureNotices::default(),
             saving: false,
             members: opening.family.as_ref().map(Family::listing),

@@ -13,6 +13,7 @@ use std::ops::Range;
 
 use glam::UVec2;
 
+use crate::cpu::film::Joined;
 use crate::layout::film::FilmPixel;
 use crate::parallel;
 use crate::stats::summary::upper_quantile;
@@ -49,23 +50,33 @@ pub struct Place {
 
 /// The error that a film is estimated to have; 0 where no pixel has samples in both halves.
 pub fn film_error(film: &[FilmPixel], place: Place, exponent: i32) -> FilmError {
+    joined_film_error(film, place, exponent, Joined::BySamples)
+}
+
+/// The same of a film whose halves are joined in some way.
+pub fn joined_film_error(film: &[FilmPixel], place: Place, exponent: i32, joined: Joined) -> FilmError {
+    error_sums(film, place, exponent, joined).error()
+}
+
+/// What that comes from: of a film that is traced part by part, those of its parts are added up.
+pub fn error_sums(film: &[FilmPixel], place: Place, exponent: i32, joined: Joined) -> ErrorSums {
     if film.is_empty() || place.width == 0 {
-        return FilmError::default();
+        return ErrorSums::default();
     }
     let height = film.len() / place.width;
     // Rows before the first one of the window, in the whole film's first piece.
     let before = place.min.y as usize % ROWS;
     let piece = |number: usize| {
         let rows = (number * ROWS).saturating_sub(before)..((number + 1) * ROWS - before).min(height);
-        piece_error(film, place, rows, exponent)
+        piece_error(film, place, rows, (exponent, joined))
     };
     let pieces = parallel::map((before + height).div_ceil(ROWS), piece);
-    pieces.into_iter().fold(Sums::default(), Sums::and).error()
+    pieces.into_iter().fold(ErrorSums::default(), ErrorSums::and)
 }
 
 /// Of some rows, or of the whole film.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sums {
+pub struct ErrorSums {
     /// Squared relative errors.
     error: f64,
     /// Pixels.
@@ -73,8 +84,9 @@ struct Sums {
     spread: Spread,
 }
 
-impl Sums {
-    fn and(self, other: Self) -> Self {
+impl ErrorSums {
+    /// Of the pixels of both.
+    pub fn and(self, other: Self) -> Self {
         Self {
             error: self.error + other.error,
             pixels: self.pixels + other.pixels,
@@ -82,7 +94,8 @@ impl Sums {
         }
     }
 
-    fn error(&self) -> FilmError {
+    /// What they say of those pixels together.
+    pub fn error(&self) -> FilmError {
         let terms = 3.0 * self.pixels.max(1) as f64;
         let (deviation, blocks) = self.spread.deviation();
         let bound = self.error + deviation * upper_quantile(RISK, blocks);
@@ -91,14 +104,15 @@ impl Sums {
 }
 
 /// Sums over some rows of a film.
-fn piece_error(film: &[FilmPixel], place: Place, rows: Range<usize>, exponent: i32) -> Sums {
+fn piece_error(film: &[FilmPixel], place: Place, rows: Range<usize>, (exponent, joined): (i32, Joined)) -> ErrorSums {
     let width = place.width;
     let height = film.len() / width;
     let (low, high) = (rows.start.saturating_sub(HALO), (rows.end + HALO).min(height));
-    let halves: Vec<Halves> = film[low * width..high * width].iter().map(|pixel| Halves::of(pixel, exponent)).collect();
+    let halves = film[low * width..high * width].iter().map(|pixel| Halves::of(pixel, exponent, joined));
+    let halves: Vec<Halves> = halves.collect();
     let shares = shares(&halves, width, rows.start - low..rows.end - low);
     let there = || shares.iter().filter(|share| share.is_there);
-    Sums {
+    ErrorSums {
         error: there().map(|share| share.errors.iter().map(|error| error * error).sum::<f64>()).sum(),
         pixels: there().count() as u64,
         spread: Spread::of(&shares, width, place.min + UVec2::new(0, rows.start as u32)),

@@ -1,5 +1,6 @@
 //! The rows, a file each.
 
+mod adaptive;
 mod albedo;
 mod bad_inputs;
 mod bad_samples;
@@ -77,6 +78,7 @@ pub static ALL: &[&Row] = &[
     &reuse_twin::ROW,
     &reuse::ROW,
     &claimed_error::ROW,
+    &adaptive::ROW,
     &independence::ROW,
     &film_sums::ROW,
     &bad_samples::ROW,

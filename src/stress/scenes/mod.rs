@@ -10,3 +10,4 @@ pub mod rays;
 pub mod room;
 pub mod smooth;
 pub mod solids;
+pub mod uneven;

@@ -224,6 +224,7 @@ impl Room {
         let sobol = self.sampler == Source::Sobol;
         let (sky, sky_light) = (self.sky.is_some(), self.sky_power() > 0.0);
         trace::Needs {
+            adaptive: false,
             materials,
             maps: &[],
             triangles: self.triangles.len() as u32,

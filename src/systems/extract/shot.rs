@@ -6,8 +6,8 @@ use glam::{DMat3, Mat3, Vec3};
 
 use super::step::Step;
 use crate::components::{
-    Active, Camera, CameraItem, Environment, EnvironmentItem, Film, Integrator, Name, Render, Reuse, Sampler, Tone,
-    rendered_camera, rendered_environment,
+    Active, Adaptive, Camera, CameraItem, Environment, EnvironmentItem, Film, Integrator, Name, Render, Reuse, Sampler,
+    Tone, rendered_camera, rendered_environment,
 };
 use crate::gpu::GpuTable;
 use crate::layout::film::{MOST_SAMPLES, TONE_AGX, TONE_NEUTRAL, TONE_NONE, film_exponent};
@@ -218,6 +218,7 @@ fn shoot(
         lens: params.lens_radius > 0.0,
         normals: geometry.normals,
         roulette: render.roulette,
+        adaptive: render.adaptive == Adaptive::On,
         reuse: render.reuse == Reuse::Tiles && render.integrator == Integrator::Path && render.max_depth > 2,
         sobol: render.sampler == Sampler::Sobol,
     };

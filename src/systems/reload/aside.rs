@@ -2,8 +2,8 @@
 
 use crate::gpu::Runtime;
 
-/// The buffers, and those that hold their copies.
-const ASIDE: [(&str, &str); 2] = [("film", "film_aside"), ("counters", "counters_aside")];
+/// The buffers, and those that hold their copies. There are blocks only where a robust mean is wanted.
+const ASIDE: [(&str, &str); 3] = [("film", "film_aside"), ("counters", "counters_aside"), ("blocks", "blocks_aside")];
 
 /// Puts the film aside. False where there is no room for it.
 pub fn put_aside(device: &mut Runtime) -> bool {

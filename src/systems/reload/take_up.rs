@@ -10,7 +10,7 @@ use crate::components::ShaderValues;
 use crate::gpu::Code;
 use crate::scene::{self, Diagnostic, Loaded, Severity};
 use crate::systems::code::restarts_of;
-use crate::systems::resources::{Device, FilmProgress};
+use crate::systems::resources::{Device, FilmProgress, Shot};
 use crate::watch::{News, Outcome, Problem, ReloadEvent, Restarts, values};
 
 /// Takes up all that the worker has sent, unless that is held.
@@ -144,7 +144,8 @@ fn put_code(world: &mut World, reload: &mut Reload, code: Code) {
     if reload.code_restarts.film {
         let kept = put_aside(&mut world.resource_mut::<Device>().0);
         let progress = world.query::<&FilmProgress>().iter(world).next().copied();
-        reload.trial.film = progress.filter(|_| kept);
+        // Of an adaptive film more is to be kept than its pixels: it starts anew.
+        reload.trial.film = progress.filter(|_| kept && !world.resource::<Shot>().is_adaptive());
     }
 }
 

@@ -7,6 +7,7 @@ use bevy_ecs::prelude::*;
 use crate::gpu::{Gpu, Runtime};
 use crate::layout::view::ViewMode;
 use crate::passes::Recording;
+use crate::passes::probe::ProbeLook;
 
 /// The device and all that is on it.
 #[derive(Resource)]
@@ -46,6 +47,10 @@ pub struct Frame {
     pub picture: Recording,
 }
 
+/// Beside the film, its samples are summed in blocks: what a robust mean is made of.
+#[derive(Resource, Default, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Robust(pub bool);
+
 /// The picture follows the film batch by batch, for a user who watches.
 #[derive(Resource, Default)]
 pub struct Live(pub bool);
@@ -53,6 +58,26 @@ pub struct Live(pub bool);
 /// What the picture is to show.
 #[derive(Resource, Default)]
 pub struct Viewed(pub ViewMode);
+
+/// A name that shaders show numbers by, and how these are looked at.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Probing {
+    pub name: String,
+    pub look: ProbeLook,
+}
+
+/// The name that was chosen.
+#[derive(Resource, Default)]
+pub struct ProbeChosen(pub Option<Probing>);
+
+impl ProbeChosen {
+    /// Its number in the code that runs; none where no name was chosen, or no code has it.
+    pub fn number(&self, device: &Runtime) -> Option<u32> {
+        let chosen = self.0.as_ref()?;
+        let place = device.probes().iter().position(|probe| probe.name == chosen.name)?;
+        u32::try_from(place).ok()
+    }
+}
 
 /// Time this run of the schedule may take on the GPU.
 #[derive(Resource)]

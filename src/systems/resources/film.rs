@@ -11,7 +11,7 @@ use crate::passes::lattice::{Lattice, corners, refinement};
 pub struct FilmProgress {
     /// There is room for it, and its words are set to zero before the first sample.
     pub begun: bool,
-    /// Samples that every pixel of the window has.
+    /// Samples that every pixel of the window has; of an adaptive film, that pixels have on average.
     pub samples: u32,
     /// The corners of this level have one more; none where no level's have.
     pub level: Option<u32>,
@@ -20,10 +20,15 @@ pub struct FilmProgress {
     pub rows: u32,
     /// Every pixel has a sample of a preview, which its first sample of the film replaces.
     pub previewed: bool,
+    /// The average that tiles are on their way to, and how many samples all pixels have together; zero as long as all pixels have the same number.
+    pub goal: u32,
+    pub by_tiles: u64,
     /// It is left at what it has.
     pub rests: bool,
     /// What the picture shows of this very film and scene; none while it shows what was before.
     pub shown: Option<ViewMode>,
+    /// What the numbers of view "probe" were last asked for, if they are of this very film and scene: name, bounce and part.
+    pub probed: Option<[u32; 3]>,
 }
 
 /// Pixels that get a sample one after the other.
@@ -50,6 +55,17 @@ impl FilmProgress {
     /// A view of the tree, if it is that which is shown, is of an older one from now on.
     pub fn outdate_views(&mut self) {
         self.shown = self.shown.filter(|mode| *mode == ViewMode::Beauty);
+        self.probed = None;
+    }
+
+    /// View "probe", if it is that which is shown, is to be shown otherwise from now on.
+    pub fn outdate_probe(&mut self) {
+        self.shown = self.shown.filter(|mode| *mode != ViewMode::Probe);
+    }
+
+    /// Whatever is shown was made by other code.
+    pub fn outdate_all(&mut self) {
+        (self.shown, self.probed) = (None, None);
     }
 
     /// No pixel has a sample.
@@ -59,12 +75,12 @@ impl FilmProgress {
 
     /// Some pixels have a sample more than others.
     pub fn is_between(&self) -> bool {
-        self.level.is_some() || self.rows > 0
+        self.level.is_some() || self.rows > 0 || self.goal > self.samples
     }
 
     /// Samples that some pixel has.
     pub fn most_samples(&self) -> u32 {
-        self.samples + u32::from(self.is_between())
+        self.goal.max(self.samples + u32::from(self.is_between()))
     }
 
     /// The pixels that stand for all of the film, each for its block; none before there are such.
@@ -78,6 +94,9 @@ impl FilmProgress {
 
     /// Samples of all pixels of the window together.
     pub fn traced(&self, window: UVec2) -> u64 {
+        if self.by_tiles > 0 {
+            return self.by_tiles;
+        }
         let whole = u64::from(self.samples) * Lattice::default().pixels(window);
         let level = self.level.map_or(0, |level| corners(level).pixels(window));
         whole + level + u64::from(self.rows) * u64::from(self.sweep.pixels.size(window).x)
@@ -85,6 +104,10 @@ impl FilmProgress {
 
     /// A batch was added to the film of such a window.
     pub fn add(&mut self, batch: &Batch, window: UVec2) {
+        if let Some(tiles) = batch.tiles {
+            self.samples = if tiles.done { self.goal } else { self.samples };
+            return;
+        }
         self.sweep = batch.sweep;
         self.rows = batch.first_row + batch.rows;
         if self.rows < self.sweep.pixels.size(window).y {
@@ -116,6 +139,21 @@ pub struct Batch {
     pub sweep: Sweep,
     pub first_row: u32,
     pub rows: u32,
+    /// It is of tiles instead, which get different numbers.
+    pub tiles: Option<TileBatch>,
+}
+
+/// Samples of tiles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TileBatch {
+    /// How many, each of all pixels of a tile.
+    pub samples: u32,
+    /// Tiles that have some of them.
+    pub runs: u32,
+    /// Samples of pixels of the window.
+    pub pixels: u64,
+    /// Tiles have all that was wanted.
+    pub done: bool,
 }
 
 impl Batch {
@@ -131,6 +169,9 @@ impl Batch {
 
     /// Samples of the batch, over all its pixels in such a window.
     pub fn samples(&self, window: UVec2) -> u64 {
+        if let Some(tiles) = self.tiles {
+            return tiles.pixels;
+        }
         u64::from(self.layers) * u64::from(self.rows) * u64::from(self.sweep.pixels.size(window).x)
     }
 }

@@ -4,15 +4,19 @@ mod compiling;
 mod device;
 mod film;
 mod governor;
+mod points;
 mod scene;
 mod textures;
+mod tiles;
 
 pub use compiling::CompileListener;
-pub use device::{Budget, Device, Frame, Live, Spent, Tree, TreeBuilder, Viewed};
-pub use film::{Batch, FilmProgress, Sweep};
+pub use device::{Budget, Device, Frame, Live, ProbeChosen, Probing, Robust, Spent, Tree, TreeBuilder, Viewed};
+pub use film::{Batch, FilmProgress, Sweep, TileBatch};
 pub use governor::Governor;
+pub use points::point_names;
 pub use scene::{
     Displayed, Endless, Everything, General, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief,
     SceneGeometry, Shot, Sky, SkyCell, SkySource, Target, Texel,
 };
 pub use textures::{TextureSlot, TextureUse, Textures, texture_set};
+pub use tiles::{PILOT_SPP, TileCounts, Tiles};

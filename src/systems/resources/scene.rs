@@ -8,13 +8,16 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, UVec2, Vec3, Vec4};
 
 use crate::components::{Daylight, DiffuseMap, Energy, EnvironmentMap, Integrator, MeshData, Transform};
+use crate::cpu::film::Joined;
 use crate::gpu::TableRow;
 use crate::layout::alias::AliasColumn;
+use crate::layout::film::DisplayParams;
 use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{MaterialRecord, Shading, TraceParams};
 use crate::layout::tree::Triangle;
-use crate::passes::film::Look;
+use crate::passes::film::{Look, display_params};
+use crate::passes::lattice::Lattice;
 
 /// A pixel of the environment: radiance, linear Rec.709, and an unused word.
 #[repr(transparent)]
@@ -187,6 +190,22 @@ impl Shot {
     /// Whether paths are reused within tiles.
     pub fn reuses(&self) -> bool {
         self.features.contains("reuse")
+    }
+
+    /// Whether tiles get as many samples as they need.
+    pub fn is_adaptive(&self) -> bool {
+        self.features.contains("adaptive")
+    }
+
+    /// How the halves of a pixel become its mean.
+    pub fn joined(&self) -> Joined {
+        if self.is_adaptive() { Joined::ByHalves } else { Joined::BySamples }
+    }
+
+    /// Parameters of the display pass, where each pixel of `shown` stands for its block.
+    pub fn display_params(&self, shown: Lattice, look: Look) -> DisplayParams {
+        let params = display_params(self.size(), shown, self.exponent, look);
+        DisplayParams { by_halves: u32::from(self.is_adaptive()), ..params }
     }
 
     /// Whether what is gathered has a material of its own at every point.

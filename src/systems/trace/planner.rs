@@ -55,7 +55,7 @@ impl Planner {
             layers = 0;
         }
         if !progress.is_between() && layers >= 1 {
-            return Batch { first_sample, layers: layers as u32, sweep: Sweep::default(), first_row: 0, rows: size.y };
+            return Batch { first_sample, layers: layers as u32, rows: size.y, ..Batch::default() };
         }
         let sweep = self.next_sweep(progress, samples);
         let (first_row, extent) = (progress.rows, sweep.pixels.size(size));
@@ -64,7 +64,7 @@ impl Planner {
             true => extent.y,
             false => self.next_rows(sweep, first_row, extent, samples),
         };
-        Batch { first_sample, layers: 1, sweep, first_row, rows }
+        Batch { first_sample, layers: 1, sweep, first_row, rows, tiles: None }
     }
 
     /// How many of a sweep's rows make about so many samples.

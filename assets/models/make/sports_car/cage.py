@@ -94,7 +94,7 @@ def cage():
             creases[grid["top", i, j], grid["top", i + 1, j]] = sharp
     for patch, i, sharp in (("front", 0, .9), ("rear", last, 2.2)):
         for j in range(5):
-            creases[grid[patch, j, 0], grid[patch, j + 1, 0]] = sharp * (1 - .12 * j)
+            creases[grid[patch, j, 0], grid[patch, j + 1, 0]] = sharp * (1 - (.12 if patch == "front" else .19) * j)
     for k, sharp in REAR_CREASES:
         for j in range(4):
             creases[grid["rear", j, k], grid["rear", j + 1, k]] = sharp

@@ -4,12 +4,28 @@ import numpy as np
 
 from mesh import unit
 
+# How often directions along a rim are evened, and the cosine of what counts as a bend.
+EVENED, BEND = 6, .82
+
 
 def rim(points, faces):
     """Directed edges with a face on one side alone, those on x = 0 left out."""
     seen = {(a, b) for f in faces for a, b in zip(f, f[1:] + f[:1])}
     axis = np.abs(points[:, 0]) < 1e-6
     return [(a, b) for a, b in seen if (b, a) not in seen and not (axis[a] and axis[b])]
+
+
+def evened(d, ids, edges):
+    """Directions along a rim without the jitter of its corners: means with the next ones, but not across a bend of the rim itself."""
+    where = {v: k for k, v in enumerate(ids)}
+    a, b = np.array([(where[p], where[q]) for p, q in edges]).T
+    for _ in range(EVENED):
+        alike = ((d[a] * d[b]).sum(1) > BEND)[:, None]
+        total = 2 * d
+        np.add.at(total, a, d[b] * alike)
+        np.add.at(total, b, d[a] * alike)
+        d = unit(total)
+    return d
 
 
 def folded(points, normals, faces, depth, lip):
@@ -23,6 +39,7 @@ def folded(points, normals, faces, depth, lip):
     ids = sorted(out)
     n = normals[ids]
     d = np.array([out[v] for v in ids])
+    d = evened(unit(d - n * (d * n).sum(1, keepdims=True)), ids, edges)
     d = unit(d - n * (d * n).sum(1, keepdims=True))
     axis = np.abs(points[ids, 0]) < 1e-6
     d[axis, 0] = 0

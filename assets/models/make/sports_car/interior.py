@@ -29,7 +29,7 @@ def along(path, section, scale_depth=True):
 def seat(x, word):
     shell = soft_loft("seat", "leather", along(SEAT, SECTION), 2)
     insert = soft_loft("seat_insert", "leather_dark", along(SEAT[2:9], INSERT, False), 2)
-    strip = soft_loft("head_insert", "leather_dark", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 1)
+    strip = soft_loft("head_insert", "leather_dark", [[(a * .55, b, c) for a, b, c in ring] for ring in along([(y, z, 1, 1) for y, z, _, _ in SEAT[9:11]], INSERT, False)], 2)
     belt_path = [(.19, .80, -.50), (.17, .775, -.432), (.15, .66, -.365), (.10, .52, -.312), (-.02, .37, -.245), (-.16, .325, -.20), (-.215, .30, -.20)]
     belt = sweep("belt", "belt", belt_path, [(-.0015, -.022), (.0015, -.022), (.0015, .022), (-.0015, .022)], 30)
     side = 1 if x > 0 else -1
@@ -48,7 +48,7 @@ def dashboard():
                    (.585, .50), (.545, .545), (.40, .60), (.30, .70), (.45, back), (.60, back))
         rings.append([(x, y, z) for y, z in profile])
     body = soft_loft("dashboard", "alcantara", rings, 1)
-    band = box("dash_band", "leather", (-.22, .612, .488), (.98, .045, .02), .008)
+    band = box("dash_band", "leather", (-.22, .600, .488), (.98, .085, .024), .010)
     screen = box("screen", "gloss_black", (0, .628, .458), (.24, .135, .014), .006, turn=turned(0, -12))
     image = flat("screen_image", "screen", (0, .629, .4505), (.222, .118), -12)
     cluster = flat("cluster", "screen", (.36, .655, .4800), (.235, .085), -18)
@@ -89,6 +89,14 @@ def console():
     return [tunnel, top, oriented(lever).moved(m, (0, .42, .10))]
 
 
+def doors():
+    """An armrest on each door, and a bar to pull it shut by."""
+    rests = [box("armrests", "leather_dark", (side * .765, .590, .02), (.085, .055, .46), .020, 2) for side in (-1, 1)]
+    path = np.array([(.775, .640, -.10), (.745, .665, -.07), (.742, .672, .02), (.745, .668, .11), (.775, .645, .14)])
+    bar = oriented(tube("door_pulls", "chrome", path, .008, 8))
+    return [joined("armrests", rests), joined("door_pulls", [bar, bar.mirrored()])]
+
+
 def bulkhead():
     wall = box("bulkhead", "leather_dark", (0, .45, -.605), (1.50, .66, .04), .01)
     shelf = box("parcel_shelf", "alcantara", (0, .80, -.75), (1.30, .02, .36), .008)
@@ -108,5 +116,5 @@ def engine():
 
 
 def all_parts():
-    parts = seat(.37, "left") + seat(-.37, "right") + dashboard() + steering() + console() + bulkhead()
+    parts = seat(.37, "left") + seat(-.37, "right") + dashboard() + steering() + console() + doors() + bulkhead()
     return [part.moved(by=(0, 0, FORWARD)) for part in parts] + engine()

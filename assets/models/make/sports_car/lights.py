@@ -15,10 +15,10 @@ def projectors(skin):
     for x, z, r in ((.698, 1.948, .031), (.758, 1.866, .030), (.808, 1.782, .027)):
         centre = on_top(skin, x, z, -.034)
         profile = [(-.05, r * 1.2), (.010, r * 1.26), (.016, r * 1.30), (.019, r * 1.26), (.018, r * 1.20)]
-        cup = [(.018, r * 1.20), (.010, r * 1.10), (-.006, r * .86), (-.020, r * .80)]
+        cup = [(.018, r * 1.20), (.012, r * 1.06), (.010, r * .96), (-.006, r * .88), (-.012, r * .74)]
         bezels.append(oriented(lathe("bezel", "chrome", profile, 22, 40)).moved(ahead, centre))
         cups.append(lathe("cup", "gloss_black", cup, 22, 40).moved(ahead, centre))
-        dome = [(-.012 + .45 * r * np.cos(a), r * .82 * np.sin(a)) for a in np.linspace(np.pi / 2, 0, 5)]
+        dome = [(-.012 + .45 * r * np.cos(a), r * .74 * np.sin(a)) for a in np.linspace(np.pi / 2, 0, 5)]
         domes.append(oriented(lathe("dome", "lamp_glow", dome, 20, 60)).moved(ahead, centre))
     return [joined("bezels", bezels), joined("cups", cups), joined("domes", domes)]
 

@@ -18,10 +18,10 @@ LINER = .94
 
 def arch(skin, turns, z, y, radius):
     """The bead along an arch, and the wall from it to the liner."""
-    turn = np.radians(np.linspace(*turns, 60))
+    turn = np.radians(np.linspace(*turns, 50))
     edge = np.array([on_side(skin, z + radius * np.cos(a), y + radius * np.sin(a), -.0035) for a in turn])
     edge[1:-1] = (edge[:-2] + 2 * edge[1:-1] + edge[2:]) / 4
-    bead = oriented(sweep("arch_lip", "paint", edge, disk(.0068, 8), 60))
+    bead = oriented(sweep("arch_lip", "paint", edge, disk(.0068, 7), 60))
     inner = edge.copy()
     inner[:, 0] = np.minimum(edge[:, 0] - .02, LINER)
     n = len(turn)
@@ -74,7 +74,7 @@ def border(skin, labels):
         ids.append(after[ids[-1]])
     path = skin.points[ids + ids[:1]] if not ends else skin.points[ids]
     along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
-    even = np.linspace(0, along[-1], int(along[-1] / .020))
+    even = np.linspace(0, along[-1], int(along[-1] / .027))
     path = np.stack([np.interp(even, along, path[:, k]) for k in range(3)], 1)
     if not ends:
         path = path[:-1]

@@ -11,17 +11,23 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 
 import cage
 import chassis
+import diffuser
 import interior
 import land
 import lights
 import lips
+import louvres
 import materials
 import mesh
+import mirrors
 import mtl
 import panels
 import plants
 import road
+import scoops
 import shell
+import sills
+import splitter
 import tail
 import textures
 import treeline
@@ -39,6 +45,7 @@ def main():
     panels.cut(skin)
     panels.cut_roughly(rough)
     parts = shell.all_parts(skin, rough) + lights.all_parts(whole) + tail.all_parts(skin, whole)
+    parts += louvres.all_parts(skin, whole) + diffuser.all_parts(skin) + sills.all_parts() + splitter.all_parts(skin) + scoops.all_parts(whole) + mirrors.all_parts()
     parts += lips.all_parts(skin) + chassis.all_parts(whole) + wheels.wheels() + interior.all_parts()
     for part in parts:
         if part.uvs is None and part.material in BOXED:

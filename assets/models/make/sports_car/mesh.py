@@ -5,6 +5,10 @@ import numpy as np
 from obj import Obj
 
 
+# To so many digits machines agree, whatever order they add in.
+DIGITS = 9
+
+
 def unit(vectors):
     length = np.linalg.norm(vectors, axis=-1, keepdims=True)
     return vectors / np.maximum(length, 1e-12)
@@ -105,7 +109,7 @@ def smooth(name, material, points, faces, angle=35.0, uvs=None, uv_corners=None)
     for k, f in enumerate(faces):
         for v in f:
             around.setdefault(v, []).append(k)
-    limit = np.cos(np.radians(angle))
+    limit = np.cos(np.radians(angle)) - 10.0 ** -DIGITS
     normals, corners, known = [], [], {}
     for k, f in enumerate(faces):
         row = []
@@ -126,13 +130,17 @@ ROUGH = {"tyre", "tyre_letters", "leather_dark", "alcantara", "lining", "gap_bla
          "rubber", "trim_black", "leather", "grille", "grille_fine", "underbody", "liner", "belt"}
 
 
+# Where a hundredth of a metre does: what stands far away, and in no row.
+LOOSE = {"leaves", "blades", "bark"}
+
+
 def write(path, comment, library, parts, position="%.4f"):
     obj = Obj(comment, library, position, "%.3f", "%.3f")
     for part in parts:
         obj.object(part.name, part.material)
-        points, normals = part.points.tolist(), part.normals.tolist()
+        points, normals = np.round(part.points, DIGITS).tolist(), np.round(part.normals, DIGITS).tolist()
         uvs = part.uvs.tolist() if part.uvs is not None else None
         for face, corners, uv_corners in zip(part.faces, part.corners, part.uv_corners):
             obj.face([points[v] for v in face], [normals[c] for c in corners], [uvs[c] for c in uv_corners] if uvs else None,
-                     "%.2f" if part.material in ROUGH else None)
+                     "%.2f" if part.material in ROUGH else None, "%.2f" if part.material in LOOSE else None)
     obj.write(path)

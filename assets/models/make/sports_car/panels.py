@@ -36,10 +36,12 @@ LID = mirrored([(0, -.385), (.39, -.405), (.445, -.52), (.405, -.90), (.375, -1.
 BONNET = mirrored([(0, 2.5), *curve([(.602, 2.5), (.596, 2.20), (.596, 1.98), (.600, 1.76), (.592, 1.54), (.600, 1.34), (.616, 1.20), (.616, 1.13), (.590, 1.085)], 5),
                    *curve([(.530, 1.090), (.420, 1.128), (.20, 1.158), (0, 1.165)], 5)])
 COWL = mirrored([(0, 1.3), *curve([(.610, 1.3), (.608, 1.09), (.604, 1.03), (.588, .95), (.566, .87), (.548, .80)], 5), (0, .80)])
-BONNET_VENT = [*curve([(.135, 1.572), (.230, 1.622), (.330, 1.668), (.440, 1.684)], 5), *curve([(.452, 1.618), (.350, 1.592), (.250, 1.552), (.160, 1.508)], 5)]
+# The front and the rear edge of an outlet of the bonnet.
+OUTLET_AHEAD, OUTLET_BEHIND = [(.128, 1.578), (.230, 1.630), (.335, 1.674), (.452, 1.690)], [(.466, 1.592), (.356, 1.562), (.252, 1.516), (.158, 1.462)]
+BONNET_VENT = [*curve(OUTLET_AHEAD, 5), *curve(OUTLET_BEHIND, 5)]
 LAMP = [*curve([(.598, 2.092), (.700, 2.062), (.785, 1.988), (.838, 1.893), (.862, 1.785), (.864, 1.640)], 5)[:-1],
         *curve([(.864, 1.640), (.800, 1.735), (.732, 1.838), (.660, 1.960), (.598, 2.092)], 5)[:-1]]
-DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .42), (.85, .25), (.78, .195), (-.22, .195), (-.31, .25), (-.36, .40), (-.405, .60), (-.45, .78), (-.45, 1.4)]
+DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .44), (.85, .295), (.78, .252), (-.22, .252), (-.31, .305), (-.36, .43), (-.405, .60), (-.45, .78), (-.45, 1.4)]
 INTAKE = [*curve([(-.492, .672), (-.610, .694), (-.740, .705), (-.850, .700)], 4), *curve([(-.874, .672), (-.868, .580), (-.833, .480), (-.775, .385), (-.742, .352)], 4),
           *curve([(-.712, .350), (-.684, .378), (-.604, .472), (-.530, .580)], 4)]
 # Height of the seam above the front bumper, by x: from the bonnet's edge through the lamp to the arch.
@@ -56,18 +58,18 @@ TAIL_PANEL = mirrored([(0, .812), (.55, .808), (.80, .778), (.826, .738), (.80, 
 # How wide and how deep the slope is that leads to what lies in it.
 TAIL_FRAME, TAIL_DEPTH = .026, .042
 TAIL_LAMP = [(.425, .783), (.62, .778), (.775, .752), (.796, .730), (.782, .674), (.62, .651), (.465, .651)]
-DIFFUSER = mirrored([(0, .492), (.285, .492), (.335, .462), (.575, .455), (.655, .385), (.66, .05), (0, .05)])
+# The lower edge of the rear bumper, which arches over the pipes and meets the valance at the corners.
+DIFFUSER = mirrored([(0, .372), (.27, .372), *curve([(.330, .376), (.385, .410), (.455, .428), (.530, .430), (.600, .424), (.660, .398), (.715, .345), (.765, .290), (.786, .250)], 5), (.790, .05), (0, .05)])
+# The bay of the number plate, how wide the slope is that leads into it, and how deep.
+BAY = mirrored([(0, .568), (.316, .566), (.298, .413), (0, .411)])
+BAY_FRAME, BAY_DEPTH = .020, .040
+# The same of the outlets at the corners.
+VENT_FRAME, VENT_DEPTH = .016, .026
 VENT = [*curve([(.722, .428), (.716, .478), (.722, .526)], 4), *curve([(.748, .546), (.800, .556), (.850, .562)], 4), *curve([(.868, .538), (.860, .486), (.846, .440)], 4), (.822, .414), (.752, .408)]
 HANDLE = [(-.165, .705), (-.325, .722), (-.340, .707), (-.322, .692), (-.175, .679)]
-# The slots of the engine lid: how many, z of the first one's front, from one to the next, how long, and the inclination of their ends.
-SLOTS, FIRST, PITCH, OPEN = 9, -.862, .094, .034
-
-
-def slot(k):
-    """The outline of a slot; the first ones are wider, as the lid is."""
-    z = FIRST - k * PITCH
-    half = np.interp(z, (-1.7, -1.35, -1.05, -.84), (.355, .318, .322, .340))
-    return mirrored([(0, z), (half, z - .006), (half - .004, z - OPEN - .006), (0, z - OPEN)])
+# The opening of the engine lid, how wide and how deep the slope is that leads into it.
+LOUVRES = mirrored([(0, -.838), (.348, -.848), (.326, -1.05), (.318, -1.35), (.338, -1.690), (0, -1.700)])
+LOUVRE_FRAME, LOUVRE_DEPTH = .016, .012
 
 
 def fine(tag):
@@ -90,11 +92,6 @@ def bumper(p):
 def valance(p):
     """Below the crease of the rear bumper, from the arch to the diffuser."""
     return p[:, 1] - crease(p[:, 2]) - .012
-
-
-def sill(p):
-    """Below the line that parts the skirt from the flank, which rises towards both wheels."""
-    return p[:, 1] - .152 - .040 * np.clip((-.1 - p[:, 2]) / .8, 0, 1) ** 2 - .020 * np.clip((p[:, 2] - .45) / .45, 0, 1) ** 2
 
 
 def windows(skin):
@@ -128,14 +125,14 @@ def cut(skin):
     skin.region("rear_window_seal", glass, pick(deck, "lid"))
     skin.region("rear_window_frit", glass, pick(deck, "rear_window_seal"), -.007)
     skin.region("rear_window", glass, pick(deck, "rear_window_frit"), -.028)
-    for k in range(SLOTS):
-        skin.region("slot", Outline(slot(k), TOP, (0, .011, .011, 0, .011, .011)), pick(deck, "lid"))
+    louvres = Outline(LOUVRES, TOP, .035)
+    skin.region("louvre_frame", louvres, pick(deck, "lid"))
+    skin.region("louvre_bay", louvres, pick(deck, "louvre_frame"), -LOUVRE_FRAME)
     skin.panel("flap", circle((-.985, .772), .058), flank, GAP * .8)
     skin.region("intake_frame", Outline(INTAKE, SIDE, .03), pick(side, "body"))
     skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)
     skin.region("intake_blade", lambda p: np.abs(p[:, 1] - .565 + .14 * (p[:, 2] + .68)) - .013, pick(side, "intake"))
     skin.panel("handle", Outline(HANDLE, SIDE, .012), side, .004, ("door",))
-    skin.region("skirt", sill, lambda t, l: side(t, l) and l in ("body", "door") and 3 < t[1] < 13)
     skin.region("bonnet_vent_frame", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
     skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet_vent_frame"), -.008)
     for name, (outline, bars) in MOUTHS.items():
@@ -151,9 +148,12 @@ def cut(skin):
     skin.region("tail_frame", panel, lambda t, l: tail_wide(t, l) and l in ("body",))
     skin.region("tail_panel", panel, pick(tail_wide, "tail_frame"), -TAIL_FRAME)
     skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .02), pick(tail_wide, "tail_panel"))
-    skin.region("diffuser", Outline(DIFFUSER, FRONT, .03), pick(tail_wide, "tail_bumper"))
+    skin.region("diffuser", Outline(DIFFUSER, FRONT), pick(tail_wide, "tail_bumper"))
     skin.region("valance", valance, pick(around_rear, "tail_bumper"))
-    skin.region("vent", Outline(VENT, FRONT, .03), pick(tail_wide, "tail_bumper"))
+    for name, outline, wide in (("bay", BAY, BAY_FRAME), ("vent", VENT, VENT_FRAME)):
+        hole = Outline(outline, FRONT, .03)
+        skin.region(name + "_frame", hole, pick(tail_wide, "tail_bumper"))
+        skin.region(name, hole, pick(tail_wide, name + "_frame"), -wide)
     for _ in range(2):
         skin.coarsen()
     for _ in range(6):

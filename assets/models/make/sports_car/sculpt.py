@@ -1,5 +1,5 @@
-"""What the cage is too coarse for, as movements of a dense surface: flared arches, the undercut of the ends, the channel that leads into the
-side intake, ridges on the bonnet and the ramps behind its outlets."""
+"""What the cage is too coarse for, as movements of a dense surface: flared arches, the undercut of the ends, the rockers between the wheels, the
+channel that leads into the side intake, ridges on the bonnet and the ramps behind its outlets."""
 
 import numpy as np
 
@@ -10,8 +10,8 @@ FLARES = ((FRONT_AXLE, .345, .370, .030, .21), (REAR_AXLE, .362, .389, .027, .22
 LEADING = ((.330, .668), (-.745, -.490))
 CHANNEL, DEEP = .46, .030
 # The rear edge of a bonnet outlet: z by x. How long the ramp behind it is, and how deep.
-OUTLET = ((.14, .25, .35, .45), (1.500, 1.546, 1.586, 1.612))
-RAMP, SUNK = .20, .017
+OUTLET = ((.14, .25, .35, .45), (1.456, 1.512, 1.558, 1.586))
+RAMP, SUNK = .27, .019
 
 
 def bump(x):
@@ -37,6 +37,12 @@ def undercut(y, z):
     return (ahead + behind) * .040 * np.clip((crease(z) - y) / .14, 0, 1) ** .8
 
 
+def rocker(y, z):
+    """How far the flank stands out above the sill, where it rolls under, and is drawn in below; near the wheels, nothing of it is left."""
+    along = step((.98 - np.abs(z)) / .30)
+    return along * (.010 * bump((y - .235) / .10) - .055 * step((.195 - y) / .085))
+
+
 def channel(y, z):
     """How deep the flank sinks towards the side intake: most at the edge where that begins, less the further ahead; behind, nothing is left of the flank."""
     ahead = z - np.interp(y, *LEADING)
@@ -55,7 +61,7 @@ def ramp(x, z):
 def sculpt(p):
     x, y, z = p.T
     side = step((x - .62) / .30)
-    out = -undercut(y, z) * step((x - .2) / .3) - channel(y, z) * (x > .7)
+    out = -undercut(y, z) * step((x - .2) / .3) + (rocker(y, z) - channel(y, z)) * (x > .7)
     for centre, height, radius, flare, wide in FLARES:
         r = np.hypot(z - centre, y - height)
         out += side * flare * bump((r - radius) / wide) * (.7 + .3 * step((y - .12) / .15))

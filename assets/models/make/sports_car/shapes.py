@@ -8,10 +8,10 @@ from subdivide import subdivide
 
 def lathe(name, material, profile, steps, angle=35.0, uv=None, bend=None, closed=False):
     """Turns (x, radius) about the x axis. The outside is on the left of the profile, seen with x to the right and the
-    radius up. `bend(x, r, turn)` may change radii; `uv`: (repeats round, repeats along)."""
+    radius up. `steps`: how many, or the angles. `bend(x, r, turn)` may change radii; `uv`: (repeats round, repeats along)."""
     profile = np.asarray(profile, float)
-    n, m = len(profile), steps
-    turn = np.arange(m) * 2 * np.pi / m
+    turn = np.arange(steps) * 2 * np.pi / steps if np.ndim(steps) == 0 else np.asarray(steps, float)
+    n, m = len(profile), len(turn)
     x = np.repeat(profile[:, 0][:, None], m, 1)
     r = np.repeat(profile[:, 1][:, None], m, 1)
     if bend is not None:

@@ -4,7 +4,7 @@ import numpy as np
 
 from mesh import joined
 from fields import FRONT, Outline
-from panels import FIRST, FRAME, FUNNEL, MOUTHS, OPEN, PITCH, SLOTS
+from panels import FRAME, FUNNEL, MOUTHS, VENT_DEPTH
 
 PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "lid", "flap")
 
@@ -25,31 +25,14 @@ def planar(part, axes, scale):
     return part
 
 
-def blade(p):
-    """How far a skirt stands out: it leans out of the body's shadow towards its lower edge, and ends in the arches flush."""
-    ends = np.clip((np.minimum(.93 - p[:, 2], p[:, 2] + .91)) / .12, 0, 1)
-    return .020 * ends * np.clip((.165 - p[:, 1]) / .045, 0, 1)
-
-
-def pressed(p):
-    """How far the engine lid is pressed up or down between its slots: each slat falls towards its front and stands proud at its rear."""
-    behind = FIRST - OPEN - p[:, 2]
-    part = np.clip((np.mod(behind + .01, PITCH) - .01) / (PITCH - OPEN), 0, 1)
-    first, last = np.clip((behind + OPEN + .05) / .05, 0, 1), np.clip((SLOTS * PITCH - .03 - behind) / .05, 0, 1)
-    ends = np.clip((np.interp(p[:, 2], (-1.7, -1.35, -1.05, -.84), (.355, .318, .322, .340)) - .004 - np.abs(p[:, 0])) / .045, 0, 1)
-    return (.010 * part - .012 * (1 - part)) * ends * ends * (3 - 2 * ends) * first * last
-
-
 def panels(skin):
     out = []
     for name in PAINTED:
-        part = skin.part(name, "paint", {name}, offset=pressed if name == "lid" else 0.0, fold=.020 if name != "body" else .024, lip=.0034)
+        part = skin.part(name, "paint", {name}, fold=.020 if name != "body" else .024, lip=.0034)
         out += pair(part) if name in ("door", "flap") else [both(part)]
     out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-.017)))
     out.append(both(skin.part("valance", "trim_black", {"valance"}, offset=-.010, fold=.02, lip=.003)))
     out += pair(skin.part("handle", "paint", {"handle"}, offset=.001, fold=.012, lip=.003))
-    out.append(both(skin.part("skirts", "carbon", {"skirt"}, offset=blade, fold=.012, lip=.003)))
-    planar(out[-1], (2, 1), 30)
     out.append(both(skin.part("cowl", "trim_black", {"cowl"}, offset=-.006, fold=.02, lip=.003)))
     return out
 
@@ -101,9 +84,10 @@ def openings(skin):
     out += pair(skin.part("intake_frame", "paint", {"intake_frame"}, offset=-.001, fold=.03, lip=.006))
     out += pair(skin.part("bonnet_vent_frame", "gloss_black", {"bonnet_vent_frame"}, offset=-.002, fold=.01))
     out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=-.006, fold=.07, lip=.004, into=(-1, 0, 0)))
-    for name, depth, axes, back, ahead in (("vent", .045, (0, 1), .09, (0, 0, 1.0)), ("intake", .15, (2, 1), .20, (-1.0, 0, 0)), ("bonnet_vent", .03, (0, 2), .05, (0, -1.0, 0))):
+    for name, depth, axes, back, ahead in (("vent", .045, (0, 1), .09, (0, 0, 1.0)), ("intake", .15, (2, 1), .20, (-1.0, 0, 0)), ("bonnet_vent", .045, (0, 2), .075, (0, -1.0, 0))):
         push = lambda d: (lambda p, n: p + np.array(ahead) * d)
-        out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, fold=back, lip=.004, walls=True, into=ahead))
+        start = -VENT_DEPTH if name == "vent" else 0.0
+        out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, offset=start, fold=back, lip=.004, walls=True, into=ahead))
         out += pair(planar(skin.part(name + "_mesh", "grille", {name, name + "_blade"}, shift=push(depth)), axes, 14))
         out += pair(skin.part(name + "_back", "gap_black", {name, name + "_blade"}, shift=push(back)))
     return out

@@ -3,7 +3,7 @@
 import numpy as np
 
 from edges import folded
-from mesh import Part, area, face_normals, unit, untwisted
+from mesh import DIGITS, Part, area, face_normals, unit, untwisted
 
 NEAR = 2.5e-4
 # What a normal between two corners may differ from their mean.
@@ -113,8 +113,9 @@ class Skin:
                     labels.append(self.labels[k])
                     parents.append(self.parents[k] if k not in cut and row == f else None)
             self.faces, self.tags, self.labels, self.parents, self.order = faces, tags, labels, parents, order
-            self.points = np.concatenate([self.points, new_points])
-            self.normals = np.concatenate([self.normals, new_normals])
+            # Rounded, so that machines whose last digits differ cut, weld and cover alike.
+            self.points = np.concatenate([self.points, np.round(new_points, DIGITS)])
+            self.normals = np.concatenate([self.normals, np.round(new_normals, DIGITS)])
         return np.array(values)
 
     def region(self, name, field, choose, level=0.0):
@@ -221,12 +222,12 @@ class Skin:
         if shift is not None:
             p = shift(p, n)
         faces = [[index[v] for v in f] for f in faces]
-        if callable(offset) and into is None:
+        if callable(offset):
             n = tilted(n, p, self.points[ids], faces)
         if not fold:
             return Part(name, material, p, untwisted(p, n, faces), n)
         extra = list(folded(p, out, faces, fold, lip))
-        if callable(offset) and into is None:
+        if callable(offset):
             # The rounded edge starts from the normals that it was made from, not from those that were turned.
             first = len(n) + len(extra[2])
             extra[2] = np.concatenate([extra[2], out])

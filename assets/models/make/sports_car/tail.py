@@ -1,12 +1,12 @@
-"""The tail: a recess with the lamps, of two rings and a bar behind a red lens, and the name; below it the plate and the exhausts, in the dark of the bumper's opening."""
+"""The tail: a recess with the lamps, of two rings and a bar behind a red lens, and the name; below it the plate in a bay of the bumper, the outlets at the corners, and the exhausts."""
 
 import numpy as np
 
-from fields import FRONT, Outline
+from fields import FRONT, Outline, fillet
 from letters import text
 from mesh import Part, joined, smooth, unit
-from panels import TAIL_DEPTH, TAIL_FRAME, TAIL_PANEL
-from shapes import box, disk, lathe, oriented, plate, squared, sweep, tube
+from panels import BAY, BAY_DEPTH, BAY_FRAME, TAIL_DEPTH, TAIL_FRAME, TAIL_PANEL, VENT, VENT_DEPTH, VENT_FRAME
+from shapes import box, disk, lathe, oriented, squared, sweep, tube
 from shell import both, pair
 from surface import look_along, on_face
 
@@ -17,10 +17,10 @@ RADIUS = .046
 DIODES = 12
 # Which way the recess goes, and which way the lamps in it.
 INTO, LAMP_INTO = (0, 0, 1), (-.22, 0, 1)
-# The number plate: its middle's height and z, and its size.
-PLATE = (.418, -2.150, .50, .112)
-# The pipes of one side: x of each, their height, the z of their ends, and half of their width and height.
-PIPES, PIPE_HEIGHT, PIPE_END, PIPE_SIZE = (.400, .528), .392, -2.135, (.056, .046)
+# The number plate: its middle's height, and its size.
+PLATE = (.490, .50, .108)
+# The pipes of one side: x of each and the z of its end; their height, and half of their width and height.
+PIPES, PIPE_HEIGHT, PIPE_SIZE = ((.459, -2.150), (.587, -2.128)), .354, (.056, .046)
 
 
 def on_tail(skin, x, y, depth):
@@ -71,8 +71,8 @@ def lamps(skin, whole):
 def recess(skin):
     """The slope from the body to what lies deeper, the walls below it, and darkness."""
     panel = Outline(TAIL_PANEL, FRONT, .02)
-    slope = lambda p: -.002 - TAIL_DEPTH * np.clip(-panel(p) / TAIL_FRAME, 0, 1)
-    frame = both(skin.part("tail_frame", "gloss_black", {"tail_frame"}, offset=slope, fold=.01, into=INTO))
+    inwards = lambda p: -.002 - TAIL_DEPTH * np.clip(-panel(p) / TAIL_FRAME, 0, 1)
+    frame = both(skin.part("tail_frame", "gloss_black", {"tail_frame"}, offset=inwards, fold=.01, into=INTO))
     walls = both(skin.part("tail_walls", "gloss_black", {"tail_panel", "tail_lamp"}, offset=-TAIL_DEPTH, fold=.04, lip=.003, walls=True, into=INTO))
     return [frame, walls, box("tail_back", "gap_black", (0, .71, -1.955), (1.34, .18, .02), .005, 1)]
 
@@ -89,29 +89,50 @@ def stop_light(whole):
     return oriented(sweep("stop_light", "tail_reflector", path, disk(.009, 8, .6), 60))
 
 
-def number():
-    """The plate on a black holder, with a lamp above it."""
-    y, z, wide, high = PLATE
+def slope(outline, wide, deep):
+    """How a frame leads from the surface into an opening."""
+    hole = Outline(outline, FRONT, .03)
+    return lambda p: -.0005 - deep * np.clip(-hole(p) / wide, 0, 1)
+
+
+def bay(skin):
+    """The bay's sides and its floor."""
+    return [both(skin.part("bay_frame", "paint", {"bay_frame"}, offset=slope(BAY, BAY_FRAME, BAY_DEPTH), fold=.004, into=INTO)),
+            both(skin.part("bay_floor", "gloss_black", {"bay"}, offset=-BAY_DEPTH, into=INTO))]
+
+
+def number(whole):
+    """The plate as the bay's floor leans, on a holder with a rolled edge, and two lamps above it."""
+    middle, wide, high = PLATE
+    rows = [on_face(whole, 0, middle + y, 0, -1)[0] for y in np.linspace(-.06, .06, 7)]
+    up = unit(rows[-1] - rows[0])
+    normal = np.array((0, up[2], -up[1]))
+    foot = rows[3]
+    foot = foot + normal * (max(p @ normal for p in rows) - foot @ normal - BAY_DEPTH + .016)
+    place = lambda across, rise, out: foot + across * np.array((1.0, 0, 0)) + rise * up + out * normal
     x, top = wide / 2, high / 2
-    points = np.array([(-x, -top, 0), (x, -top, 0), (x, top, 0), (-x, top, 0)]) + (0, y, z)
-    board = Part("plate", "plate", points, [[0, 3, 2, 1]], [(0, 0, -1)], [[0] * 4], [(1, 0), (0, 0), (0, 1), (1, 1)], [[0, 3, 2, 1]])
-    return [board, box("plate_holder", "trim_black", (0, y, z + .011), (wide + .022, high + .022, .020), .006),
-            box("plate_lamps", "trim_black", (0, y + top + .014, z + .004), (.30, .014, .040), .005)]
+    points = np.array([place(a, b, 0) for a, b in ((-x, -top), (x, -top), (x, top), (-x, top))])
+    board = Part("plate", "plate", points, [[0, 3, 2, 1]], [normal], [[0] * 4], [(1, 0), (0, 0), (0, 1), (1, 1)], [[0, 3, 2, 1]])
+    edge = np.array([place(a, b, .001) for a, b in fillet([(-x, -top), (x, -top), (x, top), (-x, top)], .010)])
+    holder = oriented(sweep("plate_holder", "trim_black", edge, disk(.0062, 8), 60, closed=True))
+    lamps = [box("plate_lamps", "lamp_housing", place(a, top + .016, .006), (.070, .014, .026), .005) for a in (-.11, .11)]
+    return [board, holder, joined("plate_lamps", lamps)]
 
 
-def cavity():
-    """What closes the bumper's opening behind plate and pipes."""
-    return plate("tail_cavity", "trim_black", [(.26, -2.02), (.52, -2.02), (.52, -2.01), (.26, -2.01)], -.68, .68, axes=(1, 2), up=0)
+def fog_light(whole):
+    """A slim red lens in the middle, between the plate and the diffuser."""
+    path = np.array([on_face(whole, x, .3915, .001, -1)[0] for x in np.linspace(-.085, .085, 9)])
+    return oriented(sweep("fog_light", "tail_reflector", path, disk(.0085, 10, .62), 60))
 
 
-def pipe(x):
+def pipe(x, rear):
     """One end of an exhaust: an oval sleeve with a rolled edge, polished outside, dark inside."""
     rows = ((.22, .96), (.024, 1.0), (.007, 1.012), (0, .985), (0, .93), (.006, .87), (.016, .84), (.20, .82))
     loops = []
     for back, wide in rows:
         u, v = squared(PIPE_SIZE[0] * wide, PIPE_SIZE[1] * wide, .8, 36)
         lean = .12 * v * (back < .1)
-        loops.append(np.stack([x + u, PIPE_HEIGHT + v, PIPE_END + back + lean], 1))
+        loops.append(np.stack([x + u, PIPE_HEIGHT + v, rear + back + lean], 1))
     n = len(loops[0])
     faces = [[i * n + k, (i + 1) * n + k, (i + 1) * n + (k + 1) % n, i * n + (k + 1) % n] for i in range(len(rows) - 1) for k in range(n)]
     points = np.concatenate(loops)
@@ -126,25 +147,24 @@ def pipe(x):
 
 
 def exhausts():
-    rows = [pipe(x) for x in PIPES]
+    rows = [pipe(*at) for at in PIPES]
     sleeves = joined("exhaust", [row[0] for row in rows])
     inside = joined("exhaust_inside", [part for row in rows for part in row[1:]])
     return pair(sleeves) + pair(inside)
 
 
-def vent_blades(whole):
-    """Three blades across the outlet at each corner, as the bumper runs there."""
-    rows = []
+def vents(skin, whole):
+    """The outlets at the corners: sides that lead inwards, and three vanes as the bumper runs there."""
+    frame = skin.part("vent_frame", "paint", {"vent_frame"}, offset=slope(VENT, VENT_FRAME, VENT_DEPTH), fold=.006, into=INTO)
+    section = [(-.014, -.0010), (-.012, -.0035), (.010, -.0030), (.014, .0005), (.010, .0030), (-.012, .0030)]
+    hole, vanes = Outline(VENT, FRONT, .03), []
     for y in (.452, .486, .520):
-        path = np.array([on_face(whole, x, y + .08 * (x - .79), -.012, -1)[0] for x in np.linspace(.705, .875, 9)])
-        rows.append(oriented(sweep("vent_blades", "gloss_black", path, squared_section(.004, .013), 40)))
-    return joined("vent_blades", rows)
-
-
-def squared_section(high, deep):
-    return [(-high, -deep), (high, -deep), (high, deep), (-high, deep)]
+        line = np.array([(x, y + .08 * (x - .79), 0) for x in np.linspace(.68, .90, 111)])
+        line = line[hole(line) < -.9 * VENT_FRAME]
+        path = np.array([on_face(whole, x, up, -.036, -1)[0] for x, up in line[np.linspace(0, len(line) - 1, 9).astype(int), :2]])
+        vanes.append(oriented(sweep("vent_blades", "gloss_black", path, section, 40)))
+    return pair(frame) + pair(joined("vent_blades", vanes))
 
 
 def all_parts(skin, whole):
-    walls = both(skin.part("diffuser_walls", "trim_black", {"diffuser"}, fold=.10, lip=.004, walls=True))
-    return recess(skin) + [name(whole), stop_light(whole), cavity(), walls] + number() + exhausts() + lamps(skin, whole) + pair(vent_blades(whole))
+    return recess(skin) + bay(skin) + [name(whole), stop_light(whole), fog_light(whole)] + number(whole) + exhausts() + lamps(skin, whole) + vents(skin, whole)

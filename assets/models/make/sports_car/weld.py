@@ -3,7 +3,7 @@
 import numpy as np
 
 from edges import rim
-from mesh import area
+from mesh import DIGITS, area
 
 # What a line between regions may move when it is simplified.
 BEND = 4e-4
@@ -36,7 +36,7 @@ def weld(skin, shorter=.0075, straight=.03):
             return np.inf
         a, b = skin.points[ends]
         t = np.clip((skin.points[drop] - a) @ (b - a) / max((b - a) @ (b - a), 1e-12), 0, 1)
-        return np.linalg.norm(skin.points[drop] - a - t * (b - a))
+        return round(np.linalg.norm(skin.points[drop] - a - t * (b - a)), DIGITS)
 
     holders = {}
     for k, f in enumerate(skin.faces):
@@ -51,14 +51,14 @@ def weld(skin, shorter=.0075, straight=.03):
             row = [goal.get(v, v) for v in skin.faces[k]]
             moved = [keep if v == drop else v for v in row]
             moved = [v for i, v in enumerate(moved) if v != moved[i - 1]]
-            if len(set(moved)) > 2 and area(skin.points[moved]) @ area(skin.points[row]) < 0:
+            if len(set(moved)) > 2 and area(skin.points[moved]) @ area(skin.points[row]) < -1e-15:
                 return True
         return False
 
     for (a, b), labels in sides.items():
         if a in busy or b in busy:
             continue
-        length = np.linalg.norm(skin.points[a] - skin.points[b])
+        length = round(np.linalg.norm(skin.points[a] - skin.points[b]), DIGITS)
         if shorter < length < straight and bends(b, a) < BEND and not turns(b, a):
             goal[b] = a
             busy |= {*lines[b], b}

@@ -23,7 +23,7 @@ pub struct LightArguments {
     /// Scene files (.ron), models (.obj), or names of files in assets/scenes [default: those not named *-original]
     #[arg(value_name = "SCENE")]
     pub scenes: Vec<String>,
-    /// Integrator and sampler, with `roulette` or `reuse` where these are to be on, joined by `+`
+    /// Integrator and sampler, with `roulette`, `reuse` or `adaptive` where these are to be on, joined by `+`
     #[arg(long, value_name = "CONFIG,..", value_delimiter = ',', default_value = configuration::DEFAULT)]
     pub configs: Vec<Configuration>,
     /// Films of each configuration, of as many seeds

@@ -1,9 +1,9 @@
-//! What is compared: an integrator, a sampler, roulette or not, reuse of paths or not, and how textures are filtered, by a name such as `path+sobol+roulette`.
+//! What is compared: an integrator, a sampler, roulette or not, reuse of paths or not, adaptive or not, and how textures are filtered, by a name such as `path+sobol+roulette`.
 
 use std::fmt;
 use std::str::FromStr;
 
-use crate::components::{Integrator, Render, Reuse, Sampler, TextureFilter};
+use crate::components::{Adaptive, Integrator, Render, Reuse, Sampler, TextureFilter};
 use crate::scene::settings::Named;
 
 /// The parts of the settings that change how light is estimated, and not what is estimated.
@@ -13,6 +13,7 @@ pub struct Configuration {
     pub sampler: Sampler,
     pub roulette: bool,
     pub reuse: Reuse,
+    pub adaptive: Adaptive,
     /// None for the scene's own.
     pub texture_filter: Option<TextureFilter>,
 }
@@ -23,12 +24,15 @@ pub const DEFAULT: &str = "path+sobol+roulette,path+sobol,path+pcg,bsdf+pcg";
 /// The word for reuse of paths within tiles.
 const REUSE: &str = "reuse";
 
+/// The word for adaptive films.
+const ADAPTIVE: &str = "adaptive";
+
 impl Configuration {
     /// The settings with these parts exchanged.
     pub fn of(&self, render: &Render) -> Render {
         let texture_filter = self.texture_filter.unwrap_or(render.texture_filter);
-        let Self { integrator, sampler, roulette, reuse, .. } = *self;
-        Render { integrator, sampler, roulette, reuse, texture_filter, ..*render }
+        let Self { integrator, sampler, roulette, reuse, adaptive, .. } = *self;
+        Render { integrator, sampler, roulette, reuse, adaptive, texture_filter, ..*render }
     }
 }
 
@@ -37,7 +41,7 @@ fn known() -> Vec<&'static str> {
     let integrators = Integrator::WORDS.iter().map(|word| word.name);
     let samplers = Sampler::WORDS.iter().map(|word| word.name);
     let filters = TextureFilter::WORDS.iter().map(|word| word.name);
-    integrators.chain(samplers).chain(["roulette", REUSE]).chain(filters).collect()
+    integrators.chain(samplers).chain(["roulette", REUSE, ADAPTIVE]).chain(filters).collect()
 }
 
 impl fmt::Display for Configuration {
@@ -46,6 +50,9 @@ impl fmt::Display for Configuration {
         write!(f, "{integrator}+{sampler}{}", if self.roulette { "+roulette" } else { "" })?;
         if self.reuse == Reuse::Tiles {
             write!(f, "+{REUSE}")?;
+        }
+        if self.adaptive == Adaptive::On {
+            write!(f, "+{ADAPTIVE}")?;
         }
         self.texture_filter.map_or(Ok(()), |filter| write!(f, "+{}", filter.name()))
     }
@@ -57,7 +64,7 @@ impl FromStr for Configuration {
     /// Words in any order, one integrator and one sampler among them; `rr` is short for `roulette`.
     fn from_str(text: &str) -> Result<Self, String> {
         let (mut integrator, mut sampler, mut roulette, mut texture_filter) = (None, None, None, None);
-        let mut reuse = None;
+        let (mut reuse, mut adaptive) = (None, None);
         for word in text.split('+') {
             let word = word.trim();
             let again = if let Some(found) = Integrator::named(word) {
@@ -70,6 +77,8 @@ impl FromStr for Configuration {
                 roulette.replace(true).is_some()
             } else if word == REUSE {
                 reuse.replace(Reuse::Tiles).is_some()
+            } else if word == ADAPTIVE {
+                adaptive.replace(Adaptive::On).is_some()
             } else {
                 return Err(format!("`{word}` is none of {}", known().join(", ")));
             };
@@ -80,7 +89,8 @@ impl FromStr for Configuration {
         match (integrator, sampler) {
             (Some(integrator), Some(sampler)) => {
                 let (roulette, reuse) = (roulette.is_some(), reuse.unwrap_or_default());
-                Ok(Self { integrator, sampler, roulette, reuse, texture_filter })
+                let adaptive = adaptive.unwrap_or_default();
+                Ok(Self { integrator, sampler, roulette, reuse, adaptive, texture_filter })
             }
             _ => Err("expected an integrator and a sampler, such as path+sobol or bsdf+pcg+roulette".into()),
         }

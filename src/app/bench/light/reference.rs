@@ -12,7 +12,7 @@ use super::record::ReferenceRecord;
 use crate::app::bench::BenchError;
 use crate::app::shared::progress::{Goal, Meter};
 use crate::app::shared::tracer::{Monitor, Tracer};
-use crate::components::{Film, Integrator, Render, Reuse, Sampler, TextureFilter};
+use crate::components::{Adaptive, Film, Integrator, Render, Reuse, Sampler, TextureFilter};
 use crate::image::{Output, Picture, PictureFile, file};
 use crate::oracle::{self, Oracle};
 use crate::scene::{self, SceneDescription};
@@ -24,6 +24,7 @@ pub const TRUSTED: Configuration = Configuration {
     sampler: Sampler::Pcg,
     roulette: false,
     reuse: Reuse::Off,
+    adaptive: Adaptive::Off,
     texture_filter: Some(TextureFilter::Exact),
 };
 

@@ -26,7 +26,7 @@ pub struct PeersArguments {
     /// Pictures of each by turns, of as many seeds, beside one that does not count
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(2..=100))]
     pub runs: u32,
-    /// How Lucerna estimates light: integrator and sampler, with `roulette` or `reuse` where these are to be on, joined by `+`
+    /// How Lucerna estimates light: integrator and sampler, with `roulette`, `reuse` or `adaptive` where these are to be on, joined by `+`
     #[arg(long, value_name = "CONFIG,..", value_delimiter = ',', default_value = "path+sobol")]
     pub configs: Vec<Configuration>,
     /// Size of the picture in pixels, each side 1 to 16384 [default: the scene's]

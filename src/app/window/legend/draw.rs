@@ -40,6 +40,11 @@ pub fn caption(text: &str) -> RichText {
     RichText::new(text).size(11.0)
 }
 
+/// A colour as the toolkit has it.
+pub fn rgb([r, g, b]: [u8; 3]) -> Color32 {
+    Color32::from_rgb(r, g, b)
+}
+
 /// Draws it over the lower left of the picture, small; of many swatches the first ones.
 pub fn over(context: &Context, picture: Rect, mut legend: Legend) {
     let more = legend.swatches.len().saturating_sub(MOST_SWATCHES);

@@ -2,6 +2,7 @@
 
 pub mod draw;
 
+use crate::cpu::probe::{self, Histogram, NO_NUMBER, NOTHING};
 use crate::cpu::view::{depth_code, heat, material_colour, normal_colour};
 use crate::image::srgb::srgb_byte;
 use crate::layout::view::{VIEW_MOST_LEVELS, VIEW_MOST_STEPS, ViewMode};
@@ -28,13 +29,13 @@ pub struct Legend {
     pub swatches: Vec<([u8; 3], String)>,
 }
 
-/// The legend of a view; none where the picture is the film, or what shaders show of themselves. `reach` is the distance that depth shows as
+/// The legend of a view; none where the picture is the film, or what shaders show of themselves (`probe` has one of its own). `reach` is the distance that depth shows as
 /// half, in units of the scene; `materials` are their names, in the order of their numbers.
 pub fn legend(view: ViewMode, reach: f32, materials: &[String]) -> Option<Legend> {
     let plain = |title| Legend { title, ..Legend::default() };
     let with_bar = |title, bar| Legend { bar: Some(bar), ..plain(title) };
     Some(match view {
-        ViewMode::Beauty | ViewMode::Debug => return None,
+        ViewMode::Beauty | ViewMode::Debug | ViewMode::Probe => return None,
         ViewMode::Albedo => with_bar("the part of light that is given back", albedo()),
         ViewMode::Normal => Legend { swatches: normals(), ..plain("where the surface faces, towards the camera") },
         ViewMode::Depth => with_bar("distance from the camera, units of the scene", depth(reach)),
@@ -44,6 +45,16 @@ pub fn legend(view: ViewMode, reach: f32, materials: &[String]) -> Option<Legend
         ViewMode::Uv => Legend { swatches: coordinates(), ..plain("texture coordinates, from 0 to 1 and again") },
         ViewMode::Texel => plain("the first map of each material; black: it has none"),
     })
+}
+
+/// The legend of view "probe", of numbers as they were last read.
+pub fn of_probe(known: &Histogram, logarithmic: bool) -> Legend {
+    let number = |place: f32| (place, short(probe::number_at(place.into(), known.ends, logarithmic)));
+    let bar = known
+        .all
+        .map(|_| Bar { colours: cells(CELLS, probe::colour), marks: [0.0, 0.25, 0.5, 0.75, 1.0].map(number).into() });
+    let swatches = vec![(NOTHING, "not shown".to_owned()), (NO_NUMBER, "no number".to_owned())];
+    Legend { title: "a number of each pixel's first sample", bar, swatches }
 }
 
 /// `count` colours of a place from 0 to 1.
@@ -92,7 +103,7 @@ fn named(materials: &[String]) -> Vec<([u8; 3], String)> {
 }
 
 /// Three digits of a number.
-fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }

@@ -9,6 +9,7 @@ pub mod curve;
 pub mod debug;
 mod edit_row;
 pub mod edits;
+pub mod errors;
 pub mod lens;
 pub mod lights;
 mod maps;
@@ -17,7 +18,9 @@ pub mod members;
 mod outcome;
 pub mod parameters;
 mod passes;
+pub mod paths;
 mod pixel;
+pub mod probes;
 mod progress;
 mod readings;
 mod save;
@@ -33,11 +36,13 @@ use glam::UVec2;
 
 use crate::app::window::dock;
 use crate::app::window::family::Listing;
+use crate::app::window::paths::ShownPaths;
 use crate::app::window::thumbs::Thumbs;
 use crate::components::Camera;
 use crate::engine::{Engine, EngineError, MeshExtent};
 
 use edits::EditsShown;
+use errors::ErrorsShown;
 pub use outcome::Outcome;
 use readings::Readings;
 
@@ -50,8 +55,12 @@ pub struct PanelContext<'a> {
     pub family: Option<FamilyContext<'a>>,
     /// The name of the selected mesh.
     pub selected: Option<&'a str>,
+    /// The brightest paths of a pixel, where they are shown.
+    pub paths: Option<&'a ShownPaths>,
     /// What was saved since the window opened.
     pub edits: EditsShown<'a>,
+    /// Where the error comes from.
+    pub errors: ErrorsShown<'a>,
 }
 
 /// The family that the scene is a member of.
@@ -148,7 +157,7 @@ impl Panel {
     }
 
     fn show_sections(&mut self, ui: &mut Ui, engine: &mut Engine, context: PanelContext) -> Outcome {
-        let PanelContext { camera, scene_size, family, selected, edits } = context;
+        let PanelContext { camera, scene_size, family, selected, paths: bright, edits, errors } = context;
         let mut outcome = Outcome::default();
         let selected = selected.and_then(|mesh| Some((mesh, engine.mesh(mesh)?)));
         narrow(ui.spacing_mut());
@@ -158,14 +167,21 @@ impl Panel {
             section(ui, "Variants", true, |ui| outcome.member = members::show(ui, list, shown, thumbs));
         }
         section(ui, "Progress", true, |ui| progress::show(ui, &self.readings));
+        section(ui, "Error", false, |ui| outcome.errors = errors::show(ui, &errors));
         let maps = engine.edit(materials::most_maps);
-        section(ui, "Pixel", true, |ui| pixel::show(ui, self.readings.pixel.as_ref(), maps));
-        section(ui, "View", true, |ui| outcome.edited |= view::show(ui, engine, self.readings.debug.as_ref()));
+        section(ui, "Pixel", true, |ui| pixel::show(ui, &self.readings, maps));
+        section(ui, "Paths", true, |ui| (outcome.paths, outcome.said) = paths::show(ui, bright));
+        section(ui, "View", true, |ui| outcome.edited |= view::show(ui, engine, &self.readings));
+        if engine.probing().is_some() || !engine.probes().is_empty() {
+            section(ui, "Probes", true, |ui| {
+                outcome.edited |= probes::show(ui, engine, self.readings.histogram.as_ref());
+            });
+        }
         section(ui, "Camera", true, |ui| {
             outcome.camera = settings::cameras(ui, engine);
             outcome.lens = lens::show(ui, camera, scene_size);
             if let Some((name, _)) = engine.camera() {
-                outcome.said = copy::camera(ui, &name, camera);
+                outcome.said = copy::camera(ui, &name, camera).or(outcome.said.take());
             }
         });
         let parameters = parameters::all(engine);

@@ -1,6 +1,7 @@
 //! What a user did in the panel: gathered while it is drawn, followed by the session after that.
 
 use super::edits::EditsAction;
+use super::errors::ErrorsAction;
 use crate::components::Lens;
 
 /// What a user did in the panel.
@@ -18,10 +19,14 @@ pub struct Outcome {
     pub member: Option<String>,
     /// The scene's file is to have what was changed.
     pub save: bool,
+    /// The brightest paths of the pixel are to be shown, or taken away.
+    pub paths: bool,
     /// What there is to tell: something was copied.
     pub said: Option<String>,
     /// What is wanted of the record of edits.
     pub edits: Option<EditsAction>,
+    /// What is wanted to know of the error.
+    pub errors: Option<ErrorsAction>,
 }
 
 impl Outcome {
@@ -33,7 +38,9 @@ impl Outcome {
         self.lens = later.lens.or(self.lens.take());
         self.member = later.member.or(self.member.take());
         self.save |= later.save;
+        self.paths |= later.paths;
         self.said = later.said.or(self.said.take());
         self.edits = later.edits.or(self.edits);
+        self.errors = later.errors.or(self.errors);
     }
 }

@@ -4,6 +4,7 @@ use egui::{RichText, Ui};
 
 use super::readings::Readings;
 use super::{curve, text};
+use crate::app::shared::memory::shown;
 use crate::app::window::legend::draw::caption;
 
 /// What is not known yet.
@@ -31,14 +32,19 @@ pub fn show(ui: &mut Ui, readings: &Readings) {
         Some(report) => (report.triangles.to_string(), report.bad_samples),
         None => (nothing(), 0),
     };
-    let rows = [
+    let device = readings.report.as_ref().map(|report| report.memory.held);
+    let device = device.map_or_else(nothing, |held| shown(held.most));
+    let mut rows = vec![
         ("samples", format!("{}{of}", readings.spp)),
         ("samples/s", short(readings.samples_per_second)),
         ("rays/s", short(readings.rays_per_second)),
         ("estimated relMSE", readings.error.map_or_else(nothing, |error| format!("{error:.3e}"))),
         ("triangles", triangles),
         ("bad samples", bad.to_string()),
+        ("buffers, most", device),
     ];
+    // Known of a process from its start, or never.
+    rows.extend(readings.process_peak.map(|bytes| ("process, most", shown(bytes))));
     egui::Grid::new("progress").num_columns(2).show(ui, |ui| {
         for (name, value) in rows {
             ui.label(name);

@@ -3,11 +3,15 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use glam::UVec2;
+use glam::{UVec2, Vec4};
 
+use super::probes::BINS;
+use crate::app::shared::memory;
+use crate::cpu::probe::Histogram;
 use crate::engine::{DebugRange, Engine, EngineError, Inspected, Report};
 use crate::gpu::PassTiming;
 use crate::passes::debug::DEBUG;
+use crate::passes::probe::PROBE_COLOURS;
 
 /// Time between two readings of the film, at least.
 const FILM: Duration = Duration::from_secs(1);
@@ -37,6 +41,8 @@ pub struct Readings {
     pub samples_per_second: f64,
     pub rays_per_second: f64,
     pub report: Option<Report>,
+    /// Bytes of memory that the process took at most; none where the system does not tell.
+    pub process_peak: Option<u64>,
     /// Estimated relMSE; none before the second sample.
     pub error: Option<f64>,
     /// log10 of the seconds since the film began, and of its estimated relMSE.
@@ -50,9 +56,25 @@ pub struct Readings {
     pub debug: Option<DebugRange>,
     /// How often that view had been drawn when it was read.
     debug_read: u64,
+    /// Of view "probe", if that is shown.
+    pub histogram: Option<Histogram>,
+    /// How often that view had been coloured when it was read.
+    probe_read: u64,
+    /// What the chosen name shows at the pixel, by bounce; none where no name is chosen.
+    pub probed: Option<Probed>,
     film_read: Option<(Instant, Stamp)>,
     film_cost: Duration,
-    pixel_read: Option<(Instant, Option<UVec2>, Stamp)>,
+    pixel_read: Option<(Instant, Looked, Stamp)>,
+}
+
+/// The pixel that was looked at, and the name that was chosen.
+type Looked = (Option<UVec2>, Option<String>);
+
+/// What a name shows of a pixel.
+pub struct Probed {
+    pub name: String,
+    /// By bounce, as the engine has them; none where there is nothing to read.
+    pub values: Option<Vec<Vec4>>,
 }
 
 impl Readings {
@@ -66,6 +88,7 @@ impl Readings {
             samples_per_second: 0.0,
             rays_per_second: 0.0,
             report: None,
+            process_peak: memory::peak(),
             error: None,
             curve: Vec::new(),
             passes: Vec::new(),
@@ -73,6 +96,9 @@ impl Readings {
             pixel: None,
             debug: None,
             debug_read: 0,
+            histogram: None,
+            probe_read: 0,
+            probed: None,
             film_read: None,
             film_cost: Duration::ZERO,
             pixel_read: None,
@@ -94,21 +120,22 @@ impl Readings {
     }
 
     /// The same of the pixel.
-    fn pixel_due(&self, pixel: Option<UVec2>, stamp: Stamp, now: Instant) -> Option<Instant> {
-        match self.pixel_read {
+    fn pixel_due(&self, looked: &Looked, stamp: Stamp, now: Instant) -> Option<Instant> {
+        match &self.pixel_read {
             None => Some(now),
-            Some((_, last_pixel, last)) if (last_pixel, last) == (pixel, stamp) => None,
-            Some((at, ..)) => Some(at + PIXEL),
+            Some((_, last_looked, last)) if (last_looked, *last) == (looked, stamp) => None,
+            Some((at, ..)) => Some(*at + PIXEL),
         }
     }
 
     /// When the next reading is due; none if nothing changed since the last.
     pub fn next(&self, engine: &mut Engine, pixel: Option<UVec2>, began: Instant) -> Option<Instant> {
         let (stamp, now) = (stamp(engine, began), Instant::now());
-        if self.debug_due(engine).is_some() {
+        if self.debug_due(engine).is_some() || self.probe_due(engine).is_some() {
             return Some(now);
         }
-        [self.film_due(stamp, now), self.pixel_due(pixel, stamp, now)].into_iter().flatten().min()
+        let looked = looked(engine, pixel);
+        [self.film_due(stamp, now), self.pixel_due(&looked, stamp, now)].into_iter().flatten().min()
     }
 
     /// Reads what is due. Says whether anything was.
@@ -124,20 +151,42 @@ impl Readings {
         if film {
             self.read_film(engine, stamp, now)?;
         }
-        let one = self.pixel_due(pixel, stamp, now).is_some_and(|at| at <= now);
+        let looked = looked(engine, pixel);
+        let one = self.pixel_due(&looked, stamp, now).is_some_and(|at| at <= now);
         if one {
-            self.pixel_read = Some((now, pixel, stamp));
+            self.pixel_read = Some((now, looked.clone(), stamp));
             self.pixel = match pixel {
                 Some(pixel) => engine.inspect(pixel)?,
                 None => None,
             };
+            self.probed = None;
+            if let (pixel, Some(name)) = looked {
+                let values = pixel.map(|pixel| engine.probe_pixel(pixel)).transpose()?.flatten();
+                self.probed = Some(Probed { name, values });
+            }
         }
         let debug = self.debug_due(engine);
         if let Some(drawn) = debug {
             self.debug_read = drawn;
             self.debug = engine.debug_colours()?.map(|colours| DebugRange::of(&colours));
         }
-        Ok(film || one || debug.is_some())
+        let probed = self.probe_due(engine);
+        if let Some(drawn) = probed {
+            self.probe_read = drawn;
+            let (values, shown) = (engine.probe_values()?, engine.probing());
+            let known = values.zip(shown).map(|(values, shown)| {
+                let params = shown.look.colours(values.len() as u32);
+                Histogram::of(&values, &params, BINS)
+            });
+            self.histogram = known;
+        }
+        Ok(film || one || debug.is_some() || probed.is_some())
+    }
+
+    /// How often view "probe" was coloured, if it is to be read: it is once for each film and way to look at it.
+    fn probe_due(&self, engine: &Engine) -> Option<u64> {
+        let drawn = engine.dispatches().get(PROBE_COLOURS.name).copied().unwrap_or(0);
+        (drawn != self.probe_read).then_some(drawn)
     }
 
     /// How often view "debug" was drawn, if it is to be read: it is drawn once for each film.
@@ -171,6 +220,7 @@ impl Readings {
             self.rays_per_second = self.samples_per_second * rays_per_sample;
         }
         self.count_passes(&report);
+        self.process_peak = memory::peak();
         self.report = Some(report);
         self.film_cost = begin.elapsed();
         Ok(())
@@ -207,6 +257,10 @@ impl Readings {
             self.passes.clone_from(&report.passes);
         }
     }
+}
+
+fn looked(engine: &Engine, pixel: Option<UVec2>) -> Looked {
+    (pixel, engine.probing().map(|probing| probing.name.clone()))
 }
 
 fn stamp(engine: &mut Engine, began: Instant) -> Stamp {

@@ -1,0 +1,52 @@
+"""The mirrors: a painted cap over a black housing, and a pane in a bezel, on a slender arm."""
+
+import numpy as np
+
+from mesh import smooth
+from shapes import disk, oriented, soft_loft, squared, sweep
+from shell import pair
+
+# The middle of the pane, and of the rings behind it: how far ahead, half of the width and of the height, how far in and down.
+MIDDLE = (.985, .858, .645)
+RINGS = ((0, .104, .050, 0, 0), (.010, .110, .055, 0, 0), (.035, .112, .057, .001, .001), (.085, .107, .053, .006, .004), (.130, .094, .043, .016, .009),
+         (.165, .072, .030, .030, .014), (.185, .046, .017, .044, .018), (.192, .020, .006, .052, .020))
+# How much further back the pane's outer edge lies, a metre of width, so that it looks at the driver.
+TURN = .20
+# How many points a ring has; the first half of them lies above.
+STEPS = 20
+
+
+def ring(ahead, half, high, inwards, down, steps=STEPS):
+    u, v = squared(half, high, .62, steps, lean=.22)
+    x, y, z = MIDDLE
+    return np.stack([x + u - inwards, y + v - down, z + ahead + TURN * -u * (1 - 3 * ahead)], 1)
+
+
+def shell():
+    """The cap is painted from the second ring to the last one, on its upper half; a face of the rings became four."""
+    body = soft_loft("mirror", "paint", [ring(*r) for r in RINGS], 1)
+    painted = lambda k: STEPS <= k // 4 < (len(RINGS) - 1) * STEPS and k // 4 % STEPS < STEPS // 2
+    return [body.only(painted), body.only(lambda k: not painted(k), "gloss_black").moved(name="mirror_housing")]
+
+
+def pane():
+    """The mirror itself, with a bezel."""
+    edge = ring(-.001, .092, .041, 0, 0, 28)
+    deep = edge + (0, 0, -.0005)
+    glass = smooth("mirror_pane", "mirror", deep, [list(range(len(edge)))[::-1]], 30)
+    bezel = oriented(sweep("mirror_bezel", "gloss_black", edge, disk(.0060, 8), 60, closed=True))
+    return [glass, bezel]
+
+
+def arm():
+    """From a foot at the door's upper corner, outwards and up into the housing."""
+    rings = []
+    for (x, y, z), along, thick in (((.790, .776, .700), .050, .016), ((.812, .783, .698), .046, .012), ((.850, .790, .695), .040, .009), ((.890, .798, .692), .036, .008),
+                                    ((.925, .810, .690), .036, .009), ((.950, .826, .690), .042, .012)):
+        u, v = squared(along, thick, .8, 12)
+        rings.append(np.stack([x - .4 * v, y + v, z + u], 1))
+    return soft_loft("mirror_arm", "gloss_black", rings, 1)
+
+
+def all_parts():
+    return [side for part in [*shell(), *pane(), arm()] for side in pair(part)]
