@@ -2,6 +2,8 @@
 
 mod arguments;
 pub mod bands;
+mod errors;
+mod left;
 mod rendered;
 pub mod report;
 mod trace;

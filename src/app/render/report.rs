@@ -6,16 +6,15 @@ use glam::UVec2;
 use serde_json::{Value, json};
 
 use super::arguments::RenderArguments;
-use super::rendered::{Band, FilmSummary};
+use super::rendered::FilmSummary;
 use super::until::{Ended, Until};
 use crate::app::shared::describe::Described;
 use crate::app::shared::memory;
 use crate::app::shared::quality::Quality;
 use crate::app::shared::sources;
-use crate::components::Crop;
-use crate::engine::{ErrorSources, FilmError, Report, RobustFilm, TileCounts, Worst};
+use crate::engine::{ErrorSources, FilmError, Report, RobustFilm, TileCounts};
 use crate::image::Outputs;
-use crate::layout::film::{BadSample, ROBUST_BLOCKS};
+use crate::layout::film::BadSample;
 use crate::layout::sort::SORT_DIGITS;
 use crate::passes::features::{FEATURES, Feature};
 use crate::passes::table::TABLE;
@@ -80,7 +79,7 @@ impl RenderSummary<'_> {
         }
     }
 
-    fn described(&self) -> Described<'_> {
+    pub fn described(&self) -> Described<'_> {
         Described {
             path: self.path,
             description: self.description,
@@ -186,52 +185,6 @@ impl RenderSummary<'_> {
         whole
     }
 
-    /// Of each band, its rows and what they have.
-    fn bands(&self) -> Option<Vec<Value>> {
-        let told = |band: &Band| {
-            let error = (band.spp > 1).then(|| band.error.error());
-            json!({
-                "rows": [band.window.min.y, band.window.max.y],
-                "spp": band.spp,
-                "ended_by": band.ended.word(),
-                "relative_error": error.map(|error| error.relmse),
-                "relative_error_bound": error.map(|error| error.bound),
-            })
-        };
-        self.film.is_in_bands().then(|| self.film.bands.iter().map(told).collect())
-    }
-
-    /// A command line that renders, to files of their own, the rows that an interrupt left black, with those of the band that it cut short.
-    fn rest(&self, outputs: &Outputs) -> Option<String> {
-        let film = self.film;
-        if !film.is_in_bands() || film.ended() != Ended::Interrupted {
-            return None;
-        }
-        let cut = film.bands.last().filter(|band| band.ended == Ended::Interrupted);
-        let first = cut.map_or(film.end(), |band| band.window.min.y);
-        let files: Vec<String> = outputs.names().iter().map(|name| beside(name, first)).collect();
-        let window = Crop { min: film.window.min.with_y(first), max: film.window.max };
-        Some(self.described().part(window, self.until.flags(), &files))
-    }
-
-    /// What an interrupt left; nothing without one.
-    pub fn interrupted_lines(&self, outputs: &Outputs) -> Vec<String> {
-        let film = self.film;
-        let of = self.until.spp.map_or(String::new(), |spp| format!(" of {spp}"));
-        match (film.ended(), self.rest(outputs)) {
-            (Ended::Interrupted, None) => vec![format!("interrupted at {}{of} spp", film.spp())],
-            (Ended::Interrupted, Some(rest)) => vec![
-                format!(
-                    "interrupted in row {} of {}: those below are black; this renders the rest:",
-                    film.end(),
-                    film.size.y
-                ),
-                format!("  {rest}"),
-            ],
-            _ => Vec::new(),
-        }
-    }
-
     /// Bytes of memory. Null where the system does not tell.
     fn memory(&self) -> Value {
         let device = &self.report.memory;
@@ -274,58 +227,6 @@ impl RenderSummary<'_> {
             "kind": bad.kind,
             "replay": self.described().replay(pixel, bad.sample),
         })
-    }
-
-    /// Where the film hangs on single samples, for programs.
-    fn robust_report(&self, robust: &RobustFilm) -> Value {
-        let worst = |worst: &Worst| {
-            let pixel = self.place(worst.index);
-            json!({
-                "pixel": [pixel.x, pixel.y],
-                "plain": worst.plain,
-                "robust": worst.robust,
-                "brightest": worst.brightest,
-                "sample": worst.sample,
-                "replay": self.described().replay(pixel, worst.sample),
-            })
-        };
-        json!({
-            "blocks": ROBUST_BLOCKS,
-            "plain": robust.plain,
-            "robust": robust.robust,
-            "parted": robust.parted,
-            "worst": robust.worst.iter().map(worst).collect::<Vec<_>>(),
-        })
-    }
-
-    /// The same for users, where that was asked.
-    fn robust_lines(&self) -> String {
-        let Some(robust) = self.robust else { return String::new() };
-        let mut text = format!(
-            "  robust mean {:.4} beside {:.4} (luminance); {:.2} % of the pixels part by more than their blocks explain\n",
-            robust.robust,
-            robust.plain,
-            100.0 * robust.parted
-        );
-        for worst in &robust.worst {
-            let pixel = self.place(worst.index);
-            text += &format!(
-                "    {},{}: {:.3} is {:.3} without its brightest samples; the first of these is {:.3e}:\n      {}\n",
-                pixel.x,
-                pixel.y,
-                worst.plain,
-                worst.robust,
-                worst.brightest,
-                self.described().replay(pixel, worst.sample)
-            );
-        }
-        text
-    }
-
-    /// A pixel of the whole film by its place in the window.
-    fn place(&self, index: usize) -> UVec2 {
-        let width = self.film.window.size().x.max(1);
-        self.film.window.min + UVec2::new(index as u32 % width, index as u32 / width)
     }
 
     fn pixel(&self, bad: &BadSample) -> UVec2 {
@@ -389,13 +290,6 @@ impl RenderSummary<'_> {
             text += &format!("  {output}\n");
         }
         text
-    }
-
-    /// Where the error comes from, and what helps, where that was asked.
-    fn source_lines(&self) -> String {
-        let Some(found) = self.sources else { return String::new() };
-        let hint = sources::hint(found, &self.description.render).map(|hint| format!("what helps: {hint}"));
-        sources::lines(found).into_iter().chain(hint).map(|line| format!("  {line}\n")).collect()
     }
 
     fn stats(&self, outputs: &Outputs) -> String {
@@ -481,12 +375,4 @@ impl RenderSummary<'_> {
         }
         text
     }
-}
-
-/// The name of a file beside another one, for the rows from `first` on.
-fn beside(name: &str, first: u32) -> String {
-    let path = Path::new(name);
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let ending = path.extension().map_or(String::new(), |ending| format!(".{}", ending.to_string_lossy()));
-    path.with_file_name(format!("{stem}-rows-{first}{ending}")).display().to_string()
 }
