@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use glam::{UVec2, Vec3};
 use lucerna::cpu::film::fixed_point;
-use lucerna::cpu::robust::{add_blocks, robust_film, robust_mean};
+use lucerna::cpu::robust::{add_blocks, robust_film, robust_mean, set_block};
 use lucerna::engine::RobustFilm;
 use lucerna::gpu::Runtime;
 use lucerna::layout::film::{FilmHalf, ROBUST_BLOCKS, RobustPixel};
@@ -86,7 +86,7 @@ fn blocks_are_the_twins_however_the_samples_are_cut() {
     for cut in cuts {
         assert_eq!(traced(Library::shipped(), &all, cut), right, "{cut:?}");
     }
-    assert!(right.iter().all(|pixel| pixel.brightest > 0.0 && pixel.blocks.iter().all(|block| block.count <= 3)));
+    assert!(right.iter().all(|pixel| pixel.brightest > 0.0 && pixel.counts.iter().all(|count| *count <= 3)));
     for (right_text, wrong) in [
         ("sample % ROBUST_BLOCKS", "layer % ROBUST_BLOCKS"),
         ("bright > blocks", "bright >= blocks"),
@@ -100,10 +100,10 @@ fn blocks_are_the_twins_however_the_samples_are_cut() {
 /// A pixel whose blocks have such means, red alone, of four samples each.
 fn pixel_of(means: &[f64]) -> RobustPixel {
     let mut pixel = RobustPixel::default();
-    for (block, mean) in pixel.blocks.iter_mut().zip(means) {
+    for (number, mean) in means.iter().enumerate() {
         let sum = 4 * fixed_point(*mean as f32, EXPONENT).unwrap();
-        *block = FilmHalf { count: 4, ..FilmHalf::default() };
-        block.sum[0] = UVec2::new(sum as u32, (sum >> 32) as u32);
+        let red = UVec2::new(sum as u32, (sum >> 32) as u32);
+        set_block(&mut pixel, number, &FilmHalf { sum: [red, UVec2::ZERO, UVec2::ZERO], count: 4, bad: 0 });
     }
     pixel
 }

@@ -67,6 +67,7 @@ pub fn advice(name: &str, limit: u64) -> String {
     let fits = match grows {
         // The sphere by longitude and latitude is twice as wide as high.
         Grows::Sky => format!("one of {}x{} pixels fits", 2 * (most / 2).isqrt(), (most / 2).isqrt()),
+        Grows::Film if name == "blocks" => format!("robust means of {most} pixels fit, such as {0}x{0}", most.isqrt()),
         Grows::Film => {
             format!("{most} pixels fit, such as {0}x{0}; `lucerna render` makes larger ones in bands", most.isqrt())
         }

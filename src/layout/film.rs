@@ -23,8 +23,10 @@ gpu_struct! {
 
     /// A pixel's samples in blocks, beside the film: what a robust mean is made of.
     pub struct RobustPixel {
-        /// Of the film samples whose number leaves that remainder.
-        pub blocks: [FilmHalf; ROBUST_BLOCKS as usize],
+        /// Of each block, the film samples whose number leaves that remainder, per channel: as in [`FilmHalf`].
+        pub sums: [UVec2; 3 * ROBUST_BLOCKS as usize],
+        /// Samples in each block.
+        pub counts: [u32; ROBUST_BLOCKS as usize],
         /// Luminance of the brightest sample; 0 where none has any.
         pub brightest: f32,
         /// The first film sample that is as bright.

@@ -20,11 +20,19 @@ fn add_to_blocks(pixel: u32) {
             continue;
         }
         let sample = params.first_sample + layer;
-        var sums: FilmHalf = blocks[index].blocks[sample % ROBUST_BLOCKS];
+        let block = sample % ROBUST_BLOCKS;
+        var sums: FilmHalf;
+        for (var c = 0u; c < 3u; c++) {
+            sums.sum[c] = blocks[index].sums[3u * block + c];
+        }
+        sums.count = blocks[index].counts[block];
         if (add_sample(&sums, arrived.rgb) != 0u) {
             continue;
         }
-        blocks[index].blocks[sample % ROBUST_BLOCKS] = sums;
+        for (var c = 0u; c < 3u; c++) {
+            blocks[index].sums[3u * block + c] = sums.sum[c];
+        }
+        blocks[index].counts[block] = sums.count;
         let bright = luminance(arrived.rgb);
         if (bright > blocks[index].brightest) {
             blocks[index].brightest = bright;

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
+use super::blocks::block_of;
 use crate::cpu::film::half_mean;
-use crate::layout::film::RobustPixel;
+use crate::layout::film::{ROBUST_BLOCKS, RobustPixel};
 use crate::layout::trace::luminance;
 
 /// Blocks that are needed to tell which of them are far from the others.
@@ -32,7 +33,8 @@ pub struct RobustMean {
 /// half of them where one has all the light (Buisine, Delepoulle, Renaud: Firefly Removal in Monte Carlo Rendering with Adaptive Median of meaNs,
 /// 2021). None without samples.
 pub fn robust_mean(pixel: &RobustPixel, exponent: i32) -> Option<RobustMean> {
-    let mut blocks: Vec<Block> = pixel.blocks.iter().map(|block| Block::of(half_mean(block, exponent))).collect();
+    let block = |number| Block::of(half_mean(&block_of(pixel, number), exponent));
+    let mut blocks: Vec<Block> = (0..ROBUST_BLOCKS as usize).map(block).collect();
     blocks.retain(|block| block.count > 0.0);
     blocks.sort_by(|a, b| a.luminance.total_cmp(&b.luminance));
     let plain = mean(&blocks)?;

@@ -7,6 +7,6 @@ mod blocks;
 mod film;
 mod mean;
 
-pub use blocks::add_blocks;
+pub use blocks::{add_blocks, block_of, set_block};
 pub use film::{RobustFilm, Worst, robust_film};
 pub use mean::{RobustMean, robust_mean};
