@@ -114,3 +114,20 @@ fn a_limit_that_is_none_is_refused_and_an_empty_one_is_not_asked_for() {
         assert_eq!(said.matches("error:").count(), 1, "{said}");
     }
 }
+
+#[test]
+fn a_robust_mean_is_left_out_of_bands_with_a_word() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = std::process::Command::new(env!("CARGO_BIN_EXE_lucerna"))
+        .args(["render", "cornell-data", "--size", "64x64", "--spp", "2", "--robust", "--sources", "--json", "-o"])
+        .arg(folder.path().join("a.png"))
+        .env("LUCERNA_MOST_BUFFER", "100000")
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let [said, told] = [&run.stdout, &run.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
+    assert!(run.status.success(), "{told}");
+    assert!(told.contains("--robust and --sources are left out"), "{told}");
+    let report: serde_json::Value = serde_json::from_str(&said).unwrap();
+    assert!(report["bands"].is_array() && report["robust"].is_null() && report["sources"].is_null(), "{report}");
+}

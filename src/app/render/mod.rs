@@ -25,6 +25,7 @@ use crate::app::shared::parameters;
 use crate::app::shared::progress::Meter;
 use crate::app::shared::scene::Opened;
 use crate::app::{Exit, Failure};
+use crate::components::Adaptive;
 use crate::engine::{Engine, ErrorSources, FilmPart, Surveyed};
 use crate::gpu::Gpu;
 use crate::image::{Frame, Output, Outputs, Picture, Rows, SaveError, Strips};
@@ -160,10 +161,14 @@ impl Render<'_> {
         let meter = Meter::new(&self.description.name, goal, quiet);
         engine.on_compiling(watch_compiling(meter.show_compiling()));
         let bands = Bands::of(film.window(), self.gpu.most_bytes());
+        if self.arguments.robust && self.description.render.adaptive == Adaptive::On {
+            output::note("--robust is left out: samples of adaptive films are not summed in blocks");
+        }
         if (self.arguments.robust || self.arguments.sources) && bands.are_several() {
             output::note(
                 "--robust and --sources are left out: they need a film that the device holds whole, so render a smaller --size or a --crop",
             );
+            engine.set_robust(false);
         }
         let tracing = Tracing::new(engine, meter, (self.until, quiet), interrupt);
         tracing.trace(&film, bands, &mut |part| self.take(part))
