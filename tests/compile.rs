@@ -87,6 +87,7 @@ fn least(coat: f32, reuse: bool) -> Duration {
         .envs([
             ("MESA_SHADER_CACHE_DISABLE", "true"),
             ("__GL_SHADER_DISK_CACHE", "0"),
+            ("LUCERNA_PIPELINE_CACHE", "off"),
             (COAT, &coat.to_string()),
             (REUSE, &reuse.to_string()),
         ])

@@ -95,7 +95,7 @@ fn modules_know_only_what_is_below_them() {
         ("stats", &[]),
         ("oracle", &["components"]),
         ("cpu", &["image", "layout", "parallel", "stats"]),
-        ("gpu", &["layout", "parallel", "shader", "passes"]),
+        ("gpu", &["files", "layout", "parallel", "shader", "passes"]),
         ("watch", &["components", "cpu", "files", "gpu", "layout", "passes", "scene", "shader"]),
         ("systems", &["components", "cpu", "files", "gpu", "layout", "passes", "prepare", "scene", "shader", "watch"]),
         (

@@ -1,6 +1,6 @@
 //! What comes before a first picture: compiling is told, and no more is compiled than is run.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
@@ -90,4 +90,59 @@ fn the_first_tree_on_a_processor_waits_for_no_compiler() {
         passes.contains(&"path") && !passes.iter().any(|pass| pass.contains("sort") || *pass == "nodes"),
         "{passes:?}"
     );
+}
+
+/// Renders in another process that keeps its pipelines in a folder. Says how many it made, and how many of those an earlier start had left.
+fn pipelines_made(kept_in: &str) -> (u64, u64) {
+    let folder = tempfile::tempdir().unwrap();
+    let run = Command::new(env!("CARGO_BIN_EXE_lucerna"))
+        .args(["render", "cornell-box", "--size", "16x16", "--spp", "1", "--json", "--quiet", "-o"])
+        .arg(folder.path().join("a.png"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .env("LUCERNA_PIPELINE_CACHE", kept_in)
+        .output()
+        .unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    let sum = |key: &str| report["compiled"].as_array().unwrap().iter().map(|pass| pass[key].as_u64().unwrap()).sum();
+    (sum("count"), sum("kept"))
+}
+
+/// Every file below a folder.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().map(|entry| entry.unwrap().path());
+    entries.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
+}
+
+#[test]
+fn pipelines_are_kept_for_the_next_start_and_damage_costs_a_compile() {
+    if !support::gpu().features.contains(wgpu::Features::PIPELINE_CACHE) {
+        return;
+    }
+    let cache = tempfile::tempdir().unwrap();
+    let place = cache.path().to_str().unwrap();
+    let (made, kept) = pipelines_made(place);
+    assert!(made > 0 && kept == 0, "the first start made {made} pipelines, {kept} of them kept before");
+    assert_eq!(pipelines_made(place), (made, made), "the second start");
+    let files = files_below(cache.path());
+    assert_eq!(files.len() as u64, made, "{files:?}");
+    for (number, file) in files.iter().enumerate() {
+        let mut bytes = std::fs::read(file).unwrap();
+        match number % 3 {
+            0 => bytes.clear(),
+            1 => bytes.truncate(bytes.len() / 2),
+            _ => *bytes.last_mut().unwrap() ^= 1,
+        }
+        std::fs::write(file, bytes).unwrap();
+    }
+    assert_eq!(pipelines_made(place), (made, 0), "all files were damaged");
+    assert_eq!(pipelines_made(place), (made, made), "and mended");
+    assert_eq!(pipelines_made("off"), (made, 0), "off");
+}
+
+#[test]
+fn a_folder_that_cannot_be_had_keeps_nothing_and_fails_nothing() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    let (made, kept) = pipelines_made(file.path().join("below").to_str().unwrap());
+    assert!(made > 0 && kept == 0);
 }

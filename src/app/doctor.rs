@@ -16,6 +16,9 @@ pub fn run() -> Result<Exit, Failure> {
     }
     output::print(&text)?;
     let gpu = Gpu::open()?;
+    if let Some(folder) = gpu.kept_pipelines() {
+        output::print(&format!("what its driver compiles is kept in {}\n", folder.display()))?;
+    }
     output::print(&format!("ready: renders use {}\n", gpu.name()))?;
     Ok(Exit::Done)
 }

@@ -36,6 +36,8 @@ pub struct PassCompile {
     pub name: &'static str,
     /// Pipelines that were compiled.
     pub count: u64,
+    /// Those of them that an earlier start had left compiled.
+    pub kept: u64,
     /// Linking and validating their code, milliseconds.
     pub link_milliseconds: f64,
     /// The driver's compiling, milliseconds.
@@ -147,16 +149,24 @@ impl Compiler {
         };
         let entry = checked_entry(pass, &linked, features)?;
         let linked_at = Instant::now();
-        let (compute, layout) = build(&self.gpu, pass, &entry, linked.module)?;
-        self.note(pass.name, linked_at - started, linked_at.elapsed());
+        // Edited code changes too often to be worth keeping.
+        let cache = self.gpu.pipeline_cache.as_ref().filter(|_| !edited && !limited);
+        let slot = cache.map(|cache| cache.slot(&self.gpu.device, pass.name, fingerprint));
+        let (compute, layout) = build(&self.gpu, pass, &entry, linked.module, slot.as_ref())?;
+        let found = slot.as_ref().is_some_and(|slot| slot.found);
+        self.note(pass.name, found, linked_at - started, linked_at.elapsed());
+        if let Some(slot) = slot {
+            slot.keep();
+        }
         Ok((Pipeline { compute, layout, entry, serial, fingerprint, edited, limited }, loops))
     }
 
     /// Takes note of a pipeline that was compiled.
-    fn note(&self, pass: &'static str, link: Duration, driver: Duration) {
+    fn note(&self, pass: &'static str, kept: bool, link: Duration, driver: Duration) {
         let mut compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
         let times = compiled.entry(pass).or_insert_with(|| PassCompile { name: pass, ..PassCompile::default() });
         times.count += 1;
+        times.kept += u64::from(kept);
         times.link_milliseconds += link.as_secs_f64() * 1e3;
         times.driver_milliseconds += driver.as_secs_f64() * 1e3;
     }

@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
+use super::pipeline_cache::PipelineCache;
 use super::{GpuError, room};
 use crate::shader::BALLOTS;
 
@@ -17,6 +18,7 @@ const LEAST_BUFFER: u64 = 64 << 10;
 /// Features that are used where they are there; each has a fallback.
 fn wanted_features() -> wgpu::Features {
     wgpu::Features::SUBGROUP
+        | wgpu::Features::PIPELINE_CACHE
         | wgpu::Features::TIMESTAMP_QUERY
         | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS
         | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES
@@ -29,6 +31,8 @@ pub struct Gpu {
     pub info: wgpu::AdapterInfo,
     pub limits: wgpu::Limits,
     pub features: wgpu::Features,
+    /// What was compiled in earlier starts.
+    pub(super) pipeline_cache: Option<PipelineCache>,
     lost: Arc<Mutex<Option<String>>>,
 }
 
@@ -224,7 +228,8 @@ impl Gpu {
                 *reason.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(message);
             }
         });
-        Ok(Arc::new(Gpu { device, queue, info, limits, features, lost }))
+        let pipeline_cache = PipelineCache::of(&info, features);
+        Ok(Arc::new(Gpu { device, queue, info, limits, features, pipeline_cache, lost }))
     }
 
     /// Adapter and driver in one line.
@@ -241,6 +246,11 @@ impl Gpu {
     /// a tenth of a second to close. Mesa's writes its cache in a thread that is waited for where devices are closed in order.
     pub fn may_be_left_open(&self) -> bool {
         self.info.driver == "NVIDIA"
+    }
+
+    /// The folder that keeps what the driver compiles, where one does.
+    pub fn kept_pipelines(&self) -> Option<&std::path::Path> {
+        self.pipeline_cache.as_ref().map(PipelineCache::folder)
     }
 
     /// What shaders may know of the device, as features that they are linked with.

@@ -9,6 +9,7 @@ mod error;
 mod memory;
 mod picture;
 mod pipeline;
+mod pipeline_cache;
 mod pipelines;
 mod player;
 mod room;

@@ -1,5 +1,6 @@
 //! A compute pipeline, made of a linked pass.
 
+use super::pipeline_cache::Slot;
 use super::{Gpu, GpuError};
 use crate::passes::{Access, Pass};
 use crate::shader::{EntryPoint, ResourceKind, SHADER_VALUES};
@@ -19,12 +20,13 @@ pub struct Pipeline {
     pub(super) limited: bool,
 }
 
-/// Makes the pipeline of a pass, and the layout of its bind group.
+/// Makes the pipeline of a pass, and the layout of its bind group; from what was kept of it, where that is there.
 pub(super) fn build(
     gpu: &Gpu,
     pass: &'static Pass,
     entry: &EntryPoint,
     module: naga::Module,
+    kept: Option<&Slot>,
 ) -> Result<(wgpu::ComputePipeline, wgpu::BindGroupLayout), GpuError> {
     let entries: Vec<_> = entry
         .bindings
@@ -71,7 +73,7 @@ pub(super) fn build(
                 zero_initialize_workgroup_memory: false,
                 ..Default::default()
             },
-            cache: None,
+            cache: kept.map(|slot| &slot.cache),
         });
         (compute, layout)
     })

@@ -107,6 +107,7 @@ impl RenderSummary<'_> {
                 json!({
                     "name": pass.name,
                     "count": pass.count,
+                    "kept": pass.kept,
                     "link_milliseconds": pass.link_milliseconds,
                     "driver_milliseconds": pass.driver_milliseconds,
                 })
@@ -319,7 +320,8 @@ impl RenderSummary<'_> {
         text += &self.skipped_lines();
         for pass in &report.compiles {
             let (link, driver) = (pass.link_milliseconds, pass.driver_milliseconds);
-            text += &format!("  {:<16} linked in {link:.1} ms, compiled in {driver:.1} ms\n", pass.name);
+            let how = if pass.kept == pass.count { "made of what an earlier start compiled" } else { "compiled" };
+            text += &format!("  {:<16} linked in {link:.1} ms, {how} in {driver:.1} ms\n", pass.name);
         }
         if report.textures > 0 {
             let megabytes = report.texture_bytes as f64 / f64::from(1 << 20);
