@@ -71,7 +71,11 @@ fn submit_frame(
         learnt.spent.trace += seconds;
         learnt.spent.film += seconds;
         learnt.spent.samples += samples;
-        learnt.governor.learn(samples, seconds);
+        // What is left of a round of tiles is few samples: the next batch is not to be as small.
+        let is_remainder = planned.batch.tiles.is_some() && learnt.governor.is_small(samples);
+        if !is_remainder {
+            learnt.governor.learn(samples, seconds);
+        }
     }
     if !frame.picture.is_empty() {
         let start = Instant::now();
