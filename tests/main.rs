@@ -91,6 +91,7 @@ mod support;
 mod textures;
 mod tree;
 mod tree_builder;
+mod treelets;
 mod unpack;
 mod unseen;
 mod variants;

@@ -4,7 +4,8 @@
 use glam::{Vec2, Vec3, Vec4};
 
 use super::intersect::{Fma, Query, intersect_triangle, prepare_query, slab_interval};
-use super::tree::{Tree, child_boxes};
+use super::node_boxes::child_boxes;
+use super::tree::Tree;
 use crate::layout::ray::{Hit, NO_HIT, Ray};
 use crate::layout::tree::{LEAF_BIT, Triangle, root};
 

@@ -3,10 +3,10 @@
 //! The tree is the same as the GPU's, found another way: ranges are split from the root down and boxes are joined from
 //! the leaves up, where the GPU searches each node's range by itself and queries the pyramid.
 
-use glam::Vec4;
-
 use super::bounds::Bounds;
 use super::morton;
+use super::node_boxes::set_boxes;
+use super::treelets::treelets;
 use crate::layout::tree::{LEAF_BIT, LeafBox, NO_ROOT, Node, Triangle, node_count};
 
 /// A tree, and the triangles of its leaves in leaf order.
@@ -18,13 +18,19 @@ pub struct Tree {
 
 /// Builds the tree over triangles in scene order, as all the passes together do.
 pub fn build(triangles: &[Triangle]) -> Tree {
+    let mut tree = by_codes(triangles);
+    treelets(&mut tree.nodes);
+    tree
+}
+
+/// The same as codes split it, before treelets are joined anew.
+pub fn by_codes(triangles: &[Triangle]) -> Tree {
     let codes = morton::codes(triangles, morton::bounds(triangles).centroids, morton::core_of(triangles));
     let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
     order.sort_by_key(|&triangle| codes[triangle as usize]);
     let sorted: Vec<u64> = order.iter().map(|&triangle| codes[triangle as usize]).collect();
     let leaves = leaves(triangles, &order);
-    let nodes = nodes(&sorted, &leaves);
-    Tree { leaves, nodes }
+    Tree { nodes: nodes(&sorted, &leaves), leaves }
 }
 
 /// Triangles in the given order.
@@ -43,7 +49,7 @@ pub fn pyramid(leaves: &[Triangle]) -> Vec<LeafBox> {
     all.into_iter().map(|b| LeafBox { low: b.low.extend(0.0), high: b.high.extend(0.0) }).collect()
 }
 
-/// The nodes over sorted codes and the triangles in their order.
+/// The nodes over sorted codes and the triangles in their order, as they are before treelets are joined anew.
 pub fn nodes(codes: &[u64], leaves: &[Triangle]) -> Vec<Node> {
     let mut nodes = vec![Node::default(); node_count(leaves.len() as u32) as usize];
     if nodes.is_empty() {
@@ -86,15 +92,4 @@ fn split_of(codes: &[u64], first: usize, last: usize) -> usize {
     }
     let bit = (low ^ high).ilog2();
     first + codes[first..=last].partition_point(|code| code >> bit & 1 == 0) - 1
-}
-
-fn set_boxes(node: &mut Node, left: Bounds, right: Bounds) {
-    let along = |axis: usize| Vec4::new(left.low[axis], left.high[axis], right.low[axis], right.high[axis]);
-    (node.x, node.y, node.z) = (along(0), along(1), along(2));
-}
-
-/// The boxes of a node's children, left and right.
-pub fn child_boxes(node: &Node) -> [Bounds; 2] {
-    let corner = |i: usize| glam::Vec3::new(node.x[i], node.y[i], node.z[i]);
-    [Bounds { low: corner(0), high: corner(1) }, Bounds { low: corner(2), high: corner(3) }]
 }

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::bounds::Bounds;
-use super::tree::child_boxes;
+use super::node_boxes::child_boxes;
 use crate::layout::tree::{LEAF_BIT, NO_ROOT, Node, Triangle, root};
 
 /// What is wrong with a tree.
@@ -21,8 +21,6 @@ pub enum TreeFault {
     Parent { node: u32, says: u32, is: u32 },
     #[error("node {node} says it has {says} leaves, but it has {is}")]
     LeafCount { node: u32, says: u32, is: u32 },
-    #[error("the leaves of node {node} are not consecutive")]
-    Order { node: u32 },
     #[error("node {node} gives its child {child:#x} the box {says:?}, but what is below it has {is:?}")]
     Box { node: u32, child: u32, says: Bounds, is: Bounds },
     #[error("leaf {leaf} is not a triangle of the scene, or one that another leaf holds too")]
@@ -44,8 +42,7 @@ pub struct TreeMeasure {
 #[derive(Clone, Copy)]
 struct Below {
     bounds: Bounds,
-    first: u32,
-    last: u32,
+    leaves: u32,
 }
 
 /// Checks a tree entirely: each leaf and each node is below the root exactly once, parents' words, numbers of leaves, their
@@ -55,7 +52,7 @@ pub fn measure(leaves: &[Triangle], nodes: &[Node]) -> Result<TreeMeasure, TreeF
         return Err(TreeFault::NodeCount { leaves: leaves.len(), nodes: nodes.len() });
     }
     check_permutation(leaves)?;
-    let leaf = |index: u32| Below { bounds: Bounds::padded(&leaves[index as usize]), first: index, last: index };
+    let leaf = |index: u32| Below { bounds: Bounds::padded(&leaves[index as usize]), leaves: 1 };
     if nodes.is_empty() {
         return Ok(TreeMeasure { depth: 0, sah: leaves.len() as f64 });
     }
@@ -123,10 +120,7 @@ fn walk(leaves: usize, nodes: &[Node]) -> Result<(Vec<u32>, u32), TreeFault> {
 
 /// What lies below a node, if all that it says of itself is true.
 fn check_node(index: u32, node: &Node, left: Below, right: Below) -> Result<Below, TreeFault> {
-    if left.last + 1 != right.first {
-        return Err(TreeFault::Order { node: index });
-    }
-    let is = right.last - left.first + 1;
+    let is = left.leaves + right.leaves;
     if node.leaves != is {
         return Err(TreeFault::LeafCount { node: index, says: node.leaves, is });
     }
@@ -136,5 +130,5 @@ fn check_node(index: u32, node: &Node, left: Below, right: Below) -> Result<Belo
             return Err(TreeFault::Box { node: index, child, says, is });
         }
     }
-    Ok(Below { bounds: left.bounds.joined(right.bounds), first: left.first, last: right.last })
+    Ok(Below { bounds: left.bounds.joined(right.bounds), leaves: is })
 }

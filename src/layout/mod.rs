@@ -36,6 +36,7 @@ pub static ALL: &[&StructLayout] = &[
     &tree::Node::LAYOUT,
     &tree::BuildParams::LAYOUT,
     &tree::PyramidParams::LAYOUT,
+    &tree::TreeletParams::LAYOUT,
     &ray::Ray::LAYOUT,
     &ray::Hit::LAYOUT,
     &ray::ExtendParams::LAYOUT,

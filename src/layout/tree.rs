@@ -34,6 +34,19 @@ gpu_consts! {
     /// Levels of the pyramid of boxes that one dispatch builds.
     pub const PYRAMID_LEVELS: u32 = 9;
 
+    /// A treelet has up to so many leaves, or clusters that are settled already: as many as a workgroup has threads.
+    pub const TREELET_SIZE: u32 = 256;
+    /// Clusters of a treelet look for the nearest among those up to so many places away.
+    pub const TREELET_RADIUS: u32 = 4;
+    /// Turns in which clusters of a treelet choose. What they leave is joined in the order of its places, or shells in shells would make a chain.
+    pub const TREELET_TURNS: u32 = 20;
+    /// By how many times treelets of the next level are larger.
+    pub const TREELET_GROWTH: u32 = 8;
+    /// The leaves of a treelet by those of its clusters, at most: half of what would fill it, for few clusters are as large as they may be.
+    pub const TREELET_PART: u32 = 128;
+    /// Levels of treelets, at most; the last has whole trees of 2^29 leaves.
+    pub const TREELET_LEVELS: u32 = 8;
+
     /// Paths among so few triangles look at every leaf (`traverse_few.wgsl`): a bit for each in one word.
     pub const FEW_TRIANGLES: u32 = 32;
 }
@@ -79,7 +92,7 @@ gpu_struct! {
         pub left: u32,
         /// Right child: a node, or `LEAF_BIT` and a leaf.
         pub right: u32,
-        /// Leaves below this node, at least 2. They are consecutive.
+        /// Leaves below this node, at least 2.
         pub leaves: u32,
         /// The node above; `NO_ROOT` for the root.
         pub parent: u32,
@@ -106,6 +119,20 @@ gpu_struct! {
     }
 }
 
+gpu_struct! {
+    /// Parameters of a dispatch over the treelets of a level.
+    pub struct TreeletParams {
+        /// The level, whose number of roots is this word of `treelets`.
+        pub level: u32,
+        /// Where its roots begin there.
+        pub first: u32,
+        /// Leaves of the clusters, at most.
+        pub below: u32,
+        /// Unused, 0.
+        pub pad: u32,
+    }
+}
+
 /// The word that names the root of a tree over `count` triangles: node 0, the only leaf, or nothing.
 pub fn root(count: u32) -> u32 {
     match count {
@@ -118,6 +145,38 @@ pub fn root(count: u32) -> u32 {
 /// Number of nodes of a tree over `count` triangles.
 pub fn node_count(count: u32) -> u32 {
     count.saturating_sub(1)
+}
+
+/// Subtrees of about one size, which are joined anew in one dispatch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TreeletLevel {
+    /// Leaves of one, at most; its parent has more.
+    pub limit: u32,
+    /// Leaves of one, at least, less one: those of the level before.
+    pub before: u32,
+    /// Leaves of the clusters that it is joined of, at most.
+    pub below: u32,
+    /// Where the roots of this level begin in `treelets`, as words.
+    pub first: u32,
+}
+
+/// The levels of treelets of a tree over `count` triangles, from the leaves to the whole of it.
+pub fn treelet_levels(count: u32) -> impl Iterator<Item = TreeletLevel> {
+    let lowest = TreeletLevel { limit: TREELET_SIZE, before: 2, below: 1, first: TREELET_LEVELS };
+    let next = move |level: &TreeletLevel| {
+        (level.limit < count).then(|| TreeletLevel {
+            limit: level.limit * TREELET_GROWTH,
+            before: level.limit,
+            below: level.limit * TREELET_GROWTH / TREELET_PART,
+            first: level.first + count / (level.before + 1),
+        })
+    };
+    std::iter::successors((count > 2).then_some(lowest), next)
+}
+
+/// Words of `treelets` for a tree over `count` triangles: how many roots each level has, then the roots of each.
+pub fn treelet_words(count: u32) -> u32 {
+    treelet_levels(count).last().map_or(TREELET_LEVELS, |last| last.first + count / (last.before + 1))
 }
 
 /// Triangles that [`core_radius`] samples, at most.

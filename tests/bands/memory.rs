@@ -125,6 +125,7 @@ fn elements() -> Vec<(&'static str, usize)> {
         ("leaves", of_tree("leaves")),
         ("nodes", of_tree("nodes")),
         ("boxes", of_tree("boxes")),
+        ("treelets", of_tree("treelets")),
         ("keys", of_tree("keys")),
         ("payload", of_tree("payload")),
         ("shading", size_of::<trace::Shading>()),

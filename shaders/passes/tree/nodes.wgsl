@@ -4,7 +4,9 @@
 // A thread finds the range of its node and where that splits, and queries the pyramid for the boxes of both halves. No
 // thread reads what another one of this dispatch writes, so nothing depends on the order in which they run.
 
-import package::gen::{BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, SORT_IN_BACK, SortPlan};
+import package::gen::{
+    BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, SORT_IN_BACK, SortPlan, TREELET_GROWTH, TREELET_LEVELS, TREELET_SIZE
+};
 
 @group(0) @binding(0) var<storage, read> sort_plan: SortPlan;
 @group(0) @binding(1) var<storage, read> keys: array<vec2<u32>>;
@@ -12,6 +14,7 @@ import package::gen::{BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, SORT_IN_BAC
 @group(0) @binding(3) var<storage, read> boxes: array<LeafBox>;
 @group(0) @binding(4) var<storage, read_write> nodes: array<Node>;
 @group(0) @binding(5) var<storage, read> params: BuildParams;
+@group(0) @binding(6) var<storage, read_write> treelets: array<atomic<u32>>;
 
 const GROUP_SIZE = 256u;
 // More than the bits of an index: no range takes more steps to find, no pyramid has more levels.
@@ -112,6 +115,22 @@ fn box_of(first: u32, end: u32) -> LeafBox {
     return result;
 }
 
+// Lists a node as the root of a treelet of each level whose largest subtrees it is one of. `above` is the number of its parent's leaves.
+fn list_treelet(node: u32, leaves: u32, above: u32) {
+    var before = 2u;
+    var limit = TREELET_SIZE;
+    var first = TREELET_LEVELS;
+    for (var level = 0u; level < TREELET_LEVELS && limit < above && before < params.count; level += 1u) {
+        if leaves > before && leaves <= limit {
+            let place = atomicAdd(&treelets[level], 1u);
+            atomicStore(&treelets[first + place], node);
+        }
+        first += params.count / (before + 1u);
+        before = limit;
+        limit *= TREELET_GROWTH;
+    }
+}
+
 @compute @workgroup_size(GROUP_SIZE)
 fn build_nodes(
     @builtin(workgroup_id) workgroup: vec3<u32>,
@@ -134,13 +153,17 @@ fn build_nodes(
     nodes[node].right = select(0u, LEAF_BIT, right_is_leaf) | (range.split + 1u);
     nodes[node].leaves = range.last - range.first + 1u;
     // A parent's word is written by the parent's thread alone, and it is a word of its own: no race.
+    let leaves = range.last - range.first + 1u;
     if (node == 0u) {
         nodes[node].parent = NO_ROOT;
+        list_treelet(node, leaves, 0xffffffffu);
     }
     if (!left_is_leaf) {
         nodes[range.split].parent = node;
+        list_treelet(range.split, range.split - range.first + 1u, leaves);
     }
     if (!right_is_leaf) {
         nodes[range.split + 1u].parent = node;
+        list_treelet(range.split + 1u, range.last - range.split, leaves);
     }
 }

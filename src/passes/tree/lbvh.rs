@@ -1,16 +1,17 @@
-//! From triangles in scene order to a tree: bounds, Morton codes, sort, leaves, pyramid of boxes, nodes.
+//! From triangles in scene order to a tree: bounds, Morton codes, sort, leaves, pyramid of boxes, nodes, treelets.
 //!
-//! An LBVH by Karras 2012. Boxes do not climb the tree: each is a range query over a pyramid of the sorted leaves'
+//! An LBVH by Karras 2012, whose nodes [`treelets`](super::treelets) joins anew. Boxes do not climb the tree: each is a range query over a pyramid of the sorted leaves'
 //! boxes. So every pass reads only what earlier dispatches wrote, which is all the order that WGSL promises between
 //! workgroups.
 
 use super::plan::{Plan, PutBuffer};
 use super::pyramid::{levels, pyramid_boxes};
+use super::treelets;
 use crate::cpu::tree_check::{TreeFault, TreeMeasure, measure};
 use crate::cpu::{self, morton};
 use crate::layout::tree::{
-    BOUNDS_PER_THREAD, BOUNDS_WORDS, BuildParams, LeafBox, Node, PYRAMID_LEVELS, PyramidParams, Triangle, node_count,
-    root,
+    BOUNDS_PER_THREAD, BOUNDS_WORDS, BuildParams, LeafBox, Node, PYRAMID_LEVELS, PyramidParams, TREELET_LEVELS,
+    Triangle, node_count, root, treelet_words,
 };
 use crate::passes::twin::twin;
 use crate::passes::{Binding, Makes, Pass, Recording, Size, clear, sort};
@@ -80,7 +81,7 @@ pub static PYRAMID: Pass = Pass {
     twin: twin!(tree::pyramid),
 };
 
-/// The nodes of the tree.
+/// The nodes of the tree as codes split it, and the roots of its treelets: clear `TREELET_LEVELS` words of `treelets` before.
 pub static NODES: Pass = Pass {
     name: "nodes",
     module: "passes/tree/nodes",
@@ -92,6 +93,7 @@ pub static NODES: Pass = Pass {
         Binding::read("keys_back", "array<vec2<u32>>"),
         Binding::read("boxes", "array<LeafBox>"),
         Binding::write("nodes", "array<Node>"),
+        Binding::write("treelets", "array<atomic<u32>>"),
         Binding::params("BuildParams"),
     ],
     makes: &[Makes::Tree],
@@ -128,6 +130,7 @@ pub fn buffers(n: u32) -> Vec<(&'static str, u64)> {
         ("leaves", bytes(n, size_of::<Triangle>())),
         ("boxes", bytes(pyramid_boxes(n), size_of::<LeafBox>())),
         ("nodes", bytes(node_count(n), size_of::<Node>())),
+        ("treelets", bytes(treelet_words(n), 4)),
     ]);
     all
 }
@@ -158,5 +161,7 @@ pub fn record_tree(recording: &mut Recording, n: u32) {
         let params = PyramidParams { source, count };
         recording.run(&PYRAMID, Size::Items(u64::from(count / 2))).params(&params);
     }
+    clear(recording, "treelets", 0, TREELET_LEVELS);
     recording.run(&NODES, Size::Items(u64::from(node_count(n)))).params(&params);
+    treelets::record(recording, n);
 }

@@ -5,6 +5,7 @@
 pub mod lbvh;
 mod plan;
 pub mod pyramid;
+pub mod treelets;
 
 pub use plan::Plan;
 
@@ -14,4 +15,5 @@ use super::Pass;
 pub static PLAN: &Plan = &lbvh::PLAN;
 
 /// The passes of every builder.
-pub const PASSES: &[&Pass] = &[&lbvh::BOUNDS, &lbvh::MORTON, &lbvh::LEAVES, &lbvh::PYRAMID, &lbvh::NODES];
+pub const PASSES: &[&Pass] =
+    &[&lbvh::BOUNDS, &lbvh::MORTON, &lbvh::LEAVES, &lbvh::PYRAMID, &lbvh::NODES, &treelets::TREELETS, &treelets::TOPS];

@@ -3,6 +3,7 @@
 use crate::cpu::morton;
 use crate::cpu::tree::{self, Tree};
 use crate::cpu::tree_check::{TreeMeasure, measure};
+use crate::cpu::treelets::treelets;
 use crate::gpu::{GpuError, Runtime};
 use crate::layout::tree::{Node, Triangle, node_count};
 use crate::passes::tree::lbvh;
@@ -55,7 +56,9 @@ pub fn built_by_codes(rig: &mut Runtime, triangles: &[Triangle], codes: &[u64]) 
     order.sort_by_key(|&i| codes[i as usize]);
     let sorted: Vec<u64> = order.iter().map(|&i| codes[i as usize]).collect();
     let leaves = tree::leaves(triangles, &order);
-    Ok([download(rig, n)?, Tree { nodes: tree::nodes(&sorted, &leaves), leaves }])
+    let mut twin = Tree { nodes: tree::nodes(&sorted, &leaves), leaves };
+    treelets(&mut twin.nodes);
+    Ok([download(rig, n)?, twin])
 }
 
 /// Leaves and nodes that are others.

@@ -1,0 +1,35 @@
+// Subtrees of up to TREELET_SIZE leaves whose parent has more, each joined anew from its leaves by a workgroup.
+
+import package::gen::{LEAF_BIT, LeafBox, TREELET_SIZE, TreeletParams};
+import package::passes::tree::clusters::{Cluster, join_clusters, nodes, numbers, store_cluster};
+
+@group(0) @binding(0) var<storage, read> treelets: array<u32>;
+@group(0) @binding(1) var<storage, read> boxes: array<LeafBox>;
+@group(0) @binding(2) var<storage, read> params: TreeletParams;
+
+const GROUP_SIZE = TREELET_SIZE;
+
+@compute @workgroup_size(GROUP_SIZE)
+fn build_treelets(
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(num_workgroups) workgroups: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let count = treelets[params.level];
+    let stride = workgroups.x * workgroups.y;
+    for (var i = workgroup.x + workgroup.y * workgroups.x; i < count; i += stride) {
+        let root = treelets[params.first + i];
+        let leaves = min(nodes[root].leaves, TREELET_SIZE);
+        // A range of leaves is numbered by its first if that is where the next range begins that is as long or longer, else by its last.
+        let from_first = (nodes[root].left & ~LEAF_BIT) >= root;
+        let first = select(root + 1u - leaves, root, from_first);
+        workgroupBarrier();
+        if lane < leaves {
+            let own = boxes[first + lane];
+            store_cluster(lane, Cluster(LEAF_BIT | (first + lane), 1u, own.low.xyz, own.high.xyz));
+            numbers[lane] = select(root - lane, root + lane, from_first);
+        }
+        workgroupBarrier();
+        join_clusters(leaves, lane);
+    }
+}
