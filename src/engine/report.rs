@@ -43,6 +43,8 @@ pub struct Report {
     pub bad_samples: u64,
     /// The first of them, up to [`BAD_LOG`]; by sample and pixel.
     pub bad_log: Vec<BadSample>,
+    /// Halves of the film's pixels that are full: their sums hold no more samples.
+    pub full_halves: u64,
     /// GPU time by pass since the last report, if timing is on.
     pub passes: Vec<PassTiming>,
     /// Dispatches by pass.
@@ -67,6 +69,7 @@ impl Report {
             bad_log,
             passes: added(earlier.passes, self.passes),
             ..self
+            full_halves: earlier.full_halves + self.full_halves,
         }
     }
 }
@@ -117,6 +120,7 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         seconds_trace: spent.trace,
         bad_samples: u64::from(bad),
         bad_log: sorted(&counters.log[..bad.min(BAD_LOG) as usize]),
+        full_halves: u64::from(counters.full.0),
         passes: device.timings()?,
         sorted_digits: match device.dispatches().contains_key(SORT_PLAN.name) {
             true => Some(device.read_some::<SortPlan>("sort_plan", 1)?[0].digits_run),

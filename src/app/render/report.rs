@@ -166,6 +166,7 @@ impl RenderSummary<'_> {
             "bad_samples": report.bad_samples,
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
             "passes": passes,
+            "full_halves": report.full_halves,
             "compiled": compiled,
             "skipped": self.skipped(),
             "outputs": outputs.names(),
@@ -261,6 +262,15 @@ impl RenderSummary<'_> {
         let (film, report) = (self.film, self.report);
         let size = film.window.size();
         let samples = match film.samples() {
+    /// What is said where pixels are full; nothing otherwise.
+    pub fn full_line(&self) -> Option<String> {
+        let full = self.report.full_halves;
+        let line = format!(
+            "warning: {full} halves of pixels are full: they hold no more samples than they have, however many --spp asks for; their means are of those"
+        );
+        (full > 0).then_some(line)
+    }
+
             [least, most] if least == most => least.to_string(),
             [least, most] => format!("{least} to {most}"),
         };
