@@ -284,7 +284,7 @@ fn a_full_half_takes_no_more() {
 fn a_film_that_is_full_keeps_its_mean() {
     // As bright as a sample may be, and black, by turns in each half: a half is full with its 256th bright one.
     let bright = largest_sample(40).next_down();
-    let samples: Vec<_> = (0..2000).map(|i| grey(if i / 2 % 2 == 0 { bright } else { 0.0 })).collect();
+    let samples: Vec<_> = (0..2000).map(|i| grey(if i & 2 == 0 { bright } else { 0.0 })).collect();
     let params = window(1, 1);
     let mut rig = support::rig();
     let (right, counted) = twin(&params, &samples, 40);
