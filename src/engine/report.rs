@@ -4,13 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bevy_ecs::prelude::*;
 
-use super::{Engine, film};
+use super::{Engine, film, spared};
 use crate::gpu::{DeviceMemory, GpuTable, PassCompile, PassTiming};
 use crate::layout::film::{BAD_LOG, BadSample, FilmCounters};
 use crate::layout::sort::SortPlan;
 use crate::layout::tree::{Triangle, node_count};
 use crate::passes::sort::SORT_PLAN;
-use crate::systems::resources::{Device, Shot, Spent, Textures, TileCounts, Tiles};
+use crate::systems::resources::{Device, Shot, Spared, Spent, Textures, TileCounts, Tiles};
 use crate::systems::{EngineError, Entered};
 
 /// What the engine did since it opened.
@@ -53,6 +53,8 @@ pub struct Report {
     pub features: BTreeSet<String>,
     /// Digits of the keys of the tree's sort that were sorted, where passes did that: the others agree in all keys, and were skipped.
     pub sorted_digits: Option<u32>,
+    /// What was there already when the film began.
+    pub spared: Spared,
     /// What is held on the device, and the most that was since the engine opened.
     pub memory: DeviceMemory,
 }
@@ -67,9 +69,9 @@ impl Report {
             rays: earlier.rays + self.rays,
             bad_samples: earlier.bad_samples + self.bad_samples,
             bad_log,
+            full_halves: earlier.full_halves + self.full_halves,
             passes: added(earlier.passes, self.passes),
             ..self
-            full_halves: earlier.full_halves + self.full_halves,
         }
     }
 }
@@ -104,6 +106,10 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         false => FilmCounters::default(),
     };
     let bad = counters.bad.0;
+    let passes = device.timings()?;
+    // With the times that were just read.
+    let spared = spared::spared(world);
+    let device = &mut world.resource_mut::<Device>().0;
     Ok(Report {
         adapter: device.gpu().name(),
         triangles,
@@ -121,13 +127,14 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         bad_samples: u64::from(bad),
         bad_log: sorted(&counters.log[..bad.min(BAD_LOG) as usize]),
         full_halves: u64::from(counters.full.0),
-        passes: device.timings()?,
+        passes,
         sorted_digits: match device.dispatches().contains_key(SORT_PLAN.name) {
             true => Some(device.read_some::<SortPlan>("sort_plan", 1)?[0].digits_run),
             false => None,
         },
         dispatches: device.dispatches().clone(),
         features,
+        spared,
         memory: device.memory(),
     })
 }
