@@ -5,7 +5,8 @@ use lucerna::cpu::film::{Counted, accumulate, film_mean, fixed_point, half_mean,
 use lucerna::cpu::rng::{sample_1d, sample_key};
 use lucerna::gpu::Runtime;
 use lucerna::layout::film::{
-    BAD_LOG, BadSample, FilmCounters, FilmHalf, FilmPixel, UNKNOWN_BOUNCE, film_exponent, largest_sample,
+    BAD_LOG, BadSample, FULL_SUM, FilmCounters, FilmHalf, FilmPixel, MOST_SAMPLES, UNKNOWN_BOUNCE, film_exponent,
+    largest_sample,
 };
 use lucerna::layout::trace::{
     BAD_INFINITE, BAD_NAN, BAD_NEGATIVE, BAD_OVERFLOW, NO_MATERIAL, RadianceSample, SAMPLE_BAD, TraceParams,
@@ -257,17 +258,66 @@ fn bad_samples_are_counted_logged_and_left_out() {
 }
 
 #[test]
-fn a_full_sum_refuses_more() {
+fn a_full_half_takes_no_more() {
     let params = window(1, 1);
     let mut rig = support::rig();
     reset(&mut rig, &params);
-    let almost = FilmHalf { sum: [UVec2::ZERO, UVec2::MAX, UVec2::ZERO], count: 9, bad: 0 };
+    let just = UVec2::new(u32::MAX, FULL_SUM - 1);
+    let almost = FilmHalf { sum: [UVec2::ZERO, just, UVec2::ZERO], count: 9, bad: 0 };
     rig.write("film", 0, &[FilmPixel { halves: [almost; 2] }]).unwrap();
-    add(&mut rig, &params, 0, &[RadianceSample { rgb: Vec3::X, info: 1 }, grey(1.0)], 0);
+    // The even half gets one that is dark where it is almost full; the odd one is full with its first, and gets a dark one then.
+    let batch =
+        [RadianceSample { rgb: Vec3::X, info: 1 }, grey(1.0), grey(1.0), RadianceSample { rgb: Vec3::X, info: 1 }];
+    add(&mut rig, &params, 0, &batch[..2], 0);
     let (film, counters) = read(&rig, &params);
-    assert_eq!(film[0].halves[0], FilmHalf { sum: [UVec2::X, UVec2::MAX, UVec2::ZERO], count: 10, bad: 0 });
-    assert_eq!(film[0].halves[1], FilmHalf { bad: 1, ..almost });
-    assert_eq!(counters.log[0].kind, BAD_OVERFLOW);
+    assert_eq!(film[0].halves[0], FilmHalf { sum: [UVec2::X, just, UVec2::ZERO], count: 10, bad: 0 });
+    let full = FilmHalf { sum: [UVec2::X, UVec2::new(0, FULL_SUM), UVec2::X], count: 10, bad: 0 };
+    assert_eq!(film[0].halves[1], full);
+    assert_eq!((counters.bad.0, counters.full.0, rays(&counters)), (0, 1, 2));
+    add(&mut rig, &params, 2, &batch[2..], 0);
+    let (film, counters) = read(&rig, &params);
+    assert_eq!(film[0].halves[1], full, "neither bright samples nor dark ones");
+    assert_eq!((film[0].halves[0].count, counters.bad.0, counters.full.0, rays(&counters)), (11, 0, 2, 4));
+}
+
+#[test]
+fn a_film_that_is_full_keeps_its_mean() {
+    // As bright as a sample may be, and black, by turns in each half: a half is full with its 256th bright one.
+    let bright = largest_sample(40).next_down();
+    let samples: Vec<_> = (0..2000).map(|i| grey(if i & 2 == 0 { bright } else { 0.0 })).collect();
+    let params = window(1, 1);
+    let mut rig = support::rig();
+    let (right, counted) = twin(&params, &samples, 40);
+    assert_eq!((counted.full, counted.bad.len()), (2, 0));
+    for cuts in [vec![2000], vec![3, 997, 1, 999]] {
+        reset(&mut rig, &params);
+        let mut first = 0;
+        for layers in cuts {
+            add(&mut rig, &params, first as u32, &samples[first..first + layers], 40);
+            first += layers;
+        }
+        let (film, counters) = read(&rig, &params);
+        assert!(film == right, "a film that is full differs from its twin");
+        assert_eq!((counters.bad.0, counters.full.0), (0, 2));
+    }
+    let (mean, count) = pixel_mean(&right[0], 40);
+    assert!((mean[0] / f64::from(bright) - 0.5).abs() < 1.0 / f64::from(count), "{count} samples: {}", mean[0]);
+}
+
+#[test]
+fn as_many_samples_fit_as_are_promised() {
+    // Each just below twice the least that the largest emission becomes; all but the last of them added beforehand.
+    let params = window(1, 1);
+    let mut rig = support::rig();
+    reset(&mut rig, &params);
+    let value = 2f32.next_down();
+    let before = u64::from(MOST_SAMPLES / 2 - 1);
+    let sum = before * fixed_point(value, film_exponent(value)).unwrap();
+    let half = FilmHalf { sum: [UVec2::new(sum as u32, (sum >> 32) as u32); 3], count: before as u32, bad: 0 };
+    rig.write("film", 0, &[FilmPixel { halves: [half; 2] }]).unwrap();
+    add(&mut rig, &params, 0, &[grey(value); 2], film_exponent(value));
+    let (film, counters) = read(&rig, &params);
+    assert_eq!((pixel_mean(&film[0], film_exponent(value)).1, counters.bad.0), (MOST_SAMPLES, 0));
 }
 
 #[test]

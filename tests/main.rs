@@ -83,6 +83,7 @@ mod sky;
 mod sky_size;
 mod sort;
 mod sources;
+mod spared;
 mod start;
 mod statistics;
 mod stress;

@@ -3,7 +3,7 @@
 use glam::UVec2;
 
 use crate::layout::adaptive::{TILE_LANES, TileRun, TileSample, unpack_tile};
-use crate::layout::film::{AccumulateParams, BadSample, FilmHalf, FilmPixel, SAMPLE_BITS, UNKNOWN_BOUNCE};
+use crate::layout::film::{AccumulateParams, BadSample, FULL_SUM, FilmHalf, FilmPixel, SAMPLE_BITS, UNKNOWN_BOUNCE};
 use crate::layout::trace::{
     BAD_INFINITE, BAD_NAN, BAD_NEGATIVE, BAD_OVERFLOW, NO_MATERIAL, RadianceSample, SAMPLE_BAD, TILE_BLOCK,
 };
@@ -15,6 +15,8 @@ pub struct Counted {
     pub rays: u64,
     /// Every bad sample, by layer and pixel.
     pub bad: Vec<BadSample>,
+    /// Halves of pixels that have become full.
+    pub full: u32,
 }
 
 /// Adds a batch of samples to the film.
@@ -78,7 +80,12 @@ impl Counted {
     ) {
         self.rays += u64::from(from.info & !SAMPLE_BAD);
         let fault = match from.info & SAMPLE_BAD == 0 {
-            true => add(half, from, params.exponent).map(|kind| (kind, UNKNOWN_BOUNCE, NO_MATERIAL)),
+            true if is_full(half) => None,
+            true => {
+                let fault = add(half, from, params.exponent).map(|kind| (kind, UNKNOWN_BOUNCE, NO_MATERIAL));
+                self.full += u32::from(is_full(half));
+                fault
+            }
             false => Some((from.rgb.x as u32, from.rgb.y as u32, from.rgb.z as u32)),
         };
         if let Some((kind, bounce, material)) = fault {
@@ -95,7 +102,12 @@ pub(super) fn place_of(pixel: u32, params: &AccumulateParams) -> UVec2 {
         << UVec2::new(params.column_shift, params.row_shift)
 }
 
-/// Adds a sample, or says what is wrong with it.
+/// Whether a half takes no more samples: another might not fit its sums.
+pub(super) fn is_full(half: &FilmHalf) -> bool {
+    half.sum.iter().any(|sum| sum.y >= FULL_SUM)
+}
+
+/// Adds a sample to a half that is not full, or says what is wrong with it.
 pub(super) fn add(half: &mut FilmHalf, from: &RadianceSample, exponent: i32) -> Option<u32> {
     let rgb = from.rgb.to_array();
     if let Some(kind) = rgb.into_iter().find_map(fault) {

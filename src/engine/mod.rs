@@ -10,6 +10,7 @@ mod read;
 mod replay;
 mod report;
 mod sources;
+mod spared;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -24,7 +25,7 @@ pub use crate::cpu::film_error::{ErrorSums, FilmError};
 pub use crate::cpu::robust::{RobustFilm, Worst};
 pub use crate::gpu::{DeviceMemory, Held};
 pub use crate::systems::EngineError;
-pub use crate::systems::resources::{Probing, Spent, TextureUse, TileCounts, TreeBuilder};
+pub use crate::systems::resources::{Probing, Spared, Spent, TextureUse, TileCounts, TreeBuilder};
 pub use debug::DebugRange;
 pub use film::{FilmImage, FilmPart};
 pub use inspect::{Inspected, LookedUp, Seen};

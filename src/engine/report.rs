@@ -4,13 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bevy_ecs::prelude::*;
 
-use super::{Engine, film};
+use super::{Engine, film, spared};
 use crate::gpu::{DeviceMemory, GpuTable, PassCompile, PassTiming};
 use crate::layout::film::{BAD_LOG, BadSample, FilmCounters};
 use crate::layout::sort::SortPlan;
 use crate::layout::tree::{Triangle, node_count};
 use crate::passes::sort::SORT_PLAN;
-use crate::systems::resources::{Device, Shot, Spent, Textures, TileCounts, Tiles};
+use crate::systems::resources::{Device, Shot, Spared, Spent, Textures, TileCounts, Tiles};
 use crate::systems::{EngineError, Entered};
 
 /// What the engine did since it opened.
@@ -43,6 +43,8 @@ pub struct Report {
     pub bad_samples: u64,
     /// The first of them, up to [`BAD_LOG`]; by sample and pixel.
     pub bad_log: Vec<BadSample>,
+    /// Halves of the film's pixels that are full: their sums hold no more samples.
+    pub full_halves: u64,
     /// GPU time by pass since the last report, if timing is on.
     pub passes: Vec<PassTiming>,
     /// Dispatches by pass.
@@ -51,6 +53,8 @@ pub struct Report {
     pub features: BTreeSet<String>,
     /// Digits of the keys of the tree's sort that were sorted, where passes did that: the others agree in all keys, and were skipped.
     pub sorted_digits: Option<u32>,
+    /// What was there already when the film began.
+    pub spared: Spared,
     /// What is held on the device, and the most that was since the engine opened.
     pub memory: DeviceMemory,
 }
@@ -65,6 +69,7 @@ impl Report {
             rays: earlier.rays + self.rays,
             bad_samples: earlier.bad_samples + self.bad_samples,
             bad_log,
+            full_halves: earlier.full_halves + self.full_halves,
             passes: added(earlier.passes, self.passes),
             ..self
         }
@@ -101,6 +106,10 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         false => FilmCounters::default(),
     };
     let bad = counters.bad.0;
+    let passes = device.timings()?;
+    // With the times that were just read.
+    let spared = spared::spared(world);
+    let device = &mut world.resource_mut::<Device>().0;
     Ok(Report {
         adapter: device.gpu().name(),
         triangles,
@@ -117,13 +126,15 @@ fn read_report(world: &mut World) -> Result<Report, EngineError> {
         seconds_trace: spent.trace,
         bad_samples: u64::from(bad),
         bad_log: sorted(&counters.log[..bad.min(BAD_LOG) as usize]),
-        passes: device.timings()?,
+        full_halves: u64::from(counters.full.0),
+        passes,
         sorted_digits: match device.dispatches().contains_key(SORT_PLAN.name) {
             true => Some(device.read_some::<SortPlan>("sort_plan", 1)?[0].digits_run),
             false => None,
         },
         dispatches: device.dispatches().clone(),
         features,
+        spared,
         memory: device.memory(),
     })
 }

@@ -251,6 +251,11 @@ impl Runtime {
         Ok(timer.take())
     }
 
+    /// Milliseconds of a pass in the last recording that it was in; none where that was not timed, or not read yet.
+    pub fn last_milliseconds(&self, pass: &str) -> Option<f64> {
+        self.timer.as_ref().and_then(|timer| timer.last(pass))
+    }
+
     /// First to last timestamp of each submission since the last call, milliseconds; empty without timing.
     pub fn spans(&mut self) -> Result<Vec<f64>, GpuError> {
         let Some(timer) = &mut self.timer else { return Ok(Vec::new()) };

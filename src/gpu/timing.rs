@@ -18,6 +18,8 @@ pub struct Timer {
     open: Option<Batch>,
     closed: Vec<Batch>,
     totals: BTreeMap<&'static str, (u64, f64)>,
+    /// Milliseconds of each pass in the last submission that it was in.
+    last: BTreeMap<&'static str, f64>,
     /// First to last timestamp of each submission since the last look, in milliseconds.
     spans: Vec<f64>,
 }
@@ -117,11 +119,14 @@ impl Timer {
             let stamps: Vec<u64> = view.chunks_exact(8).map(bytemuck::pod_read_unaligned).collect();
             let milliseconds = |from: usize, to: usize| stamps[to].saturating_sub(stamps[from]) as f64 * period;
             if batch.each {
+                let mut sums: BTreeMap<&'static str, f64> = BTreeMap::new();
                 for (i, name) in batch.names.iter().enumerate() {
+                    let spent = milliseconds(2 * i, 2 * i + 1);
                     let total = self.totals.entry(name).or_default();
-                    total.0 += 1;
-                    total.1 += milliseconds(2 * i, 2 * i + 1);
+                    (total.0, total.1) = (total.0 + 1, total.1 + spent);
+                    *sums.entry(name).or_default() += spent;
                 }
+                self.last.extend(sums);
                 self.spans.push(milliseconds(0, 2 * batch.names.len() - 1));
             } else {
                 for name in &batch.names {
@@ -138,6 +143,11 @@ impl Timer {
     pub(super) fn take(&mut self) -> Vec<PassTiming> {
         let totals = std::mem::take(&mut self.totals);
         totals.into_iter().map(|(name, (count, milliseconds))| PassTiming { name, count, milliseconds }).collect()
+    }
+
+    /// Milliseconds of a pass in the last submission that it was in and whose times were read.
+    pub(super) fn last(&self, pass: &str) -> Option<f64> {
+        self.last.get(pass).copied()
     }
 
     /// First to last timestamp of each submission since the last call, in milliseconds.

@@ -55,7 +55,9 @@ gpu_struct! {
         pub rays_hi: AtomicWord,
         /// Bad samples; the first [`BAD_LOG`] of them are in `log`, in no order.
         pub bad: AtomicWord,
-        /// Where they went wrong.
+        /// Halves of pixels that have become full: they take no more samples.
+        pub full: AtomicWord,
+        /// Where the bad samples went wrong.
         pub log: [BadSample; BAD_LOG as usize],
     }
 
@@ -123,6 +125,8 @@ gpu_consts! {
     pub const UNKNOWN_BOUNCE: u32 = 0x00ff_ffff;
     /// Scaled radiance of one sample is below 2^this, 2^16 times the largest emission.
     pub const SAMPLE_BITS: u32 = 56;
+    /// The high word of a sum from which on its half of a pixel takes no more samples: the next one of [`SAMPLE_BITS`] might not fit.
+    pub const FULL_SUM: u32 = 0xff00_0000;
     /// Tone curve: none. What is too bright is white.
     pub const TONE_NONE: u32 = 0;
     /// Tone curve: AgX.
@@ -130,14 +134,14 @@ gpu_consts! {
     /// Tone curve: Khronos PBR Neutral.
     pub const TONE_NEUTRAL: u32 = 2;
     /// Samples a pixel that a film holds for certain, where none is brighter than the largest emission.
-    pub const MOST_SAMPLES: u32 = 1 << 24;
+    pub const MOST_SAMPLES: u32 = 255 << 16;
 }
 
 /// The power of two by which radiance is scaled, so that the largest emission lands in [2^40, 2^41).
 ///
 /// One sample may reach 2^56, which is 65,536 times the largest emission; a half of a pixel holds 2^64, which is 2^23
-/// samples of the largest emission. The step is 2^-40 of the largest emission. An addition that would pass 2^64 is
-/// refused and counted, like a sample that is too large.
+/// samples of the largest emission. The step is 2^-40 of the largest emission. A half whose sum has come to within a sample of 2^64
+/// ([`FULL_SUM`]) takes no more: refusing what does not fit would leave out the bright samples alone, and the mean would be too dark.
 pub fn film_exponent(largest_emission: f32) -> i32 {
     if !(largest_emission > 0.0 && largest_emission.is_finite()) {
         return 40;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::measured::{Scale, StressError};
+use super::tools::edits::Kind;
 use crate::engine::{Engine, EngineError, FilmImage};
 use crate::gpu::{Gpu, Runtime};
 use crate::scene::SceneDescription;
@@ -18,6 +19,11 @@ pub struct Lab {
     gpu: Arc<Gpu>,
     library: Library,
     scale: Scale,
+    /// Where random edits begin, and for how long they are made; as the row has it, if not said.
+    seed: u64,
+    seconds: Option<f64>,
+    /// Edits that the engine is not to see: a mistake.
+    unseen: Option<Kind>,
     /// Told the part of a row that is done, 0 to 1.
     progress: Box<dyn Fn(f64) + Send + Sync>,
 }
@@ -31,12 +37,23 @@ impl fmt::Debug for Lab {
 impl Lab {
     /// With the shaders that are shipped.
     pub fn new(gpu: Arc<Gpu>, scale: Scale) -> Self {
-        Self { gpu, library: Library::shipped(), scale, progress: Box::new(|_| ()) }
+        let (library, progress) = (Library::shipped(), Box::new(|_| ()));
+        Self { gpu, library, scale, seed: 1, seconds: None, unseen: None, progress }
     }
 
     /// The same with other shaders.
     pub fn with_library(self, library: Library) -> Self {
         Self { library, ..self }
+    }
+
+    /// The same, whose random edits begin with another seed, and are made for so many seconds.
+    pub fn with_edits(self, seed: u64, seconds: Option<f64>) -> Self {
+        Self { seed, seconds, ..self }
+    }
+
+    /// The same, whose engine does not see edits of a kind.
+    pub fn with_unseen(self, unseen: Option<Kind>) -> Self {
+        Self { unseen, ..self }
     }
 
     /// The same, which tells how far a row is.
@@ -55,6 +72,21 @@ impl Lab {
 
     pub fn scale(&self) -> Scale {
         self.scale
+    }
+
+    /// The seed that random edits begin with.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// For how long random edits are made, where that was said.
+    pub fn seconds(&self) -> Option<f64> {
+        self.seconds
+    }
+
+    /// Edits that the engine is not to see.
+    pub fn unseen(&self) -> Option<Kind> {
+        self.unseen
     }
 
     /// Says that this part of a row is done.

@@ -27,12 +27,14 @@ pub use error::{EngineError, Fault};
 pub use reload::{Reload, go_back};
 pub use restart::{release_film, restart_film, start_again};
 pub use run::Entered;
+pub use upload::table_bytes;
 
 use crate::components::Film;
 use phase::Phase;
 use resources::{
-    Batch, CompileListener, Displayed, Endless, Everything, FilmProgress, Frame, General, Governor, LightDensity, Live,
-    Policy, ProbeChosen, Relief, Robust, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tiles, Tree, Viewed,
+    Batch, CompileListener, Displayed, DoneBefore, Endless, Everything, FilmProgress, Frame, General, Governor,
+    LightDensity, Live, Policy, ProbeChosen, Relief, Robust, SceneGeometry, Shot, Sky, Spent, Target, Textures, Tiles,
+    Tree, Viewed,
 };
 
 /// The one schedule.
@@ -102,6 +104,7 @@ pub fn insert_resources(world: &mut World) {
     world.init_resource::<Tiles>();
     world.init_resource::<Frame>();
     world.init_resource::<Spent>();
+    world.init_resource::<DoneBefore>();
     world.init_resource::<Live>();
     world.init_resource::<Viewed>();
     world.init_resource::<Robust>();

@@ -60,7 +60,8 @@ fn submit_frame(
         let start = Instant::now();
         make_tree(device, &frame.build, *planned.builder, planned.triangles.rows())?;
         learnt.tree.built = true;
-        learnt.spent.build += start.elapsed().as_secs_f64();
+        learnt.spent.last_build = start.elapsed().as_secs_f64();
+        learnt.spent.build += learnt.spent.last_build;
         learnt.governor.forget();
     }
     if !frame.trace.is_empty() {

@@ -38,6 +38,8 @@ struct Table {
     insert: fn(&mut World),
     add_system: fn(&mut Schedule),
     send_all: fn(&mut World),
+    /// Its buffer, and the bytes of its rows.
+    bytes: fn(&World) -> (&'static str, u64),
 }
 
 impl Table {
@@ -51,6 +53,7 @@ impl Table {
                 schedule.add_systems(system.run_if(is_stale::<T>).in_set(Phase::Upload));
             },
             send_all: |world| world.resource_mut::<GpuTable<T>>().send_all(),
+            bytes: |world| (T::BUFFER, size_of_val(world.resource::<GpuTable<T>>().rows()) as u64),
         }
     }
 }
@@ -58,6 +61,11 @@ impl Table {
 /// Adds all tables, empty.
 pub fn insert_tables(world: &mut World) {
     TABLES.iter().for_each(|table| (table.insert)(world));
+}
+
+/// The buffers of all tables, and the bytes of their rows.
+pub fn table_bytes(world: &World) -> impl Iterator<Item = (&'static str, u64)> {
+    TABLES.iter().map(|table| (table.bytes)(world))
 }
 
 /// Has all tables sent again.

@@ -34,6 +34,17 @@ fn a_row_is_told_as_text_and_as_json() {
 }
 
 #[test]
+fn random_edits_begin_with_the_seed_that_is_given() {
+    let flags = ["stress", "--only", "random-edits", "--seed", "17", "--time", "0.1", "--json", "--quiet"];
+    let run = lucerna(Path::new("."), &flags);
+    assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
+    let json: Value = serde_json::from_str(&out(&run)).unwrap();
+    let row = &json["rows"][0];
+    assert!(row["note"].as_str().unwrap().contains("1 seeds from --seed 17"), "{json}");
+    assert!(row["samples"].as_u64().unwrap() >= 24 && run.stderr.is_empty(), "{json}");
+}
+
+#[test]
 fn shaders_that_are_wrong_fail() {
     let folder = tempfile::tempdir().unwrap();
     for name in lucerna::shader::Library::embedded().modules() {

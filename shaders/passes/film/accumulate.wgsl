@@ -1,9 +1,10 @@
 // Adds a batch of samples to the film in 64-bit fixed point: exact and associative, so that no cutting of the samples
-// into batches changes a bit. A bad sample is counted and logged, and is in neither the sums nor the divisor.
+// into batches changes a bit. A bad sample is counted and logged, and is in neither the sums nor the divisor. A half that is full
+// takes no more, whatever comes: one that took what still fits would have lost the bright ones alone.
 
 import package::gen::{AccumulateParams, BadSample, FilmCounters, FilmHalf, FilmPixel, RadianceSample};
 @if(adaptive) import package::gen::{PixelMark, TileRun, TileSample, TILE_LANES};
-import package::gen::{BAD_LOG, BAD_OVERFLOW, NO_MATERIAL, SAMPLE_BAD, UNKNOWN_BOUNCE};
+import package::gen::{BAD_LOG, BAD_OVERFLOW, FULL_SUM, NO_MATERIAL, SAMPLE_BAD, UNKNOWN_BOUNCE};
 import package::lib::fixed::{add_u64, fixed_point};
 import package::lib::fault::{fault_of};
 @if(adaptive) import package::lib::tiles::{place_in_tile, tile_corner};
@@ -31,7 +32,12 @@ fn log_bad(at: vec2<u32>, sample: u32, bounce: u32, material: u32, kind: u32) {
     }
 }
 
-// Adds `value` to `half` unless something is wrong with it; returns what, a `BAD_` kind or 0.
+// Whether a half takes no more: another sample might not fit its sums.
+fn is_full(half: ptr<function, FilmHalf>) -> bool {
+    return max((*half).sum[0].y, max((*half).sum[1].y, (*half).sum[2].y)) >= FULL_SUM;
+}
+
+// Adds `value` to `half`, which is not full, unless something is wrong with it; returns what, a `BAD_` kind or 0.
 fn add_sample(half: ptr<function, FilmHalf>, value: vec3<f32>) -> u32 {
     let kind = fault_of(value);
     if (kind != 0u) {
@@ -58,10 +64,15 @@ fn add_or_log(half: ptr<function, FilmHalf>, arrived: RadianceSample, at: vec2<u
         (*half).bad += 1u;
         return;
     }
+    if (is_full(half)) {
+        return;
+    }
     let kind = add_sample(half, arrived.rgb);
     if (kind != 0u) {
         log_bad(at, sample, UNKNOWN_BOUNCE, NO_MATERIAL, kind);
         (*half).bad += 1u;
+    } else if (is_full(half)) {
+        atomicAdd(&counters.full, 1u);
     }
 }
 

@@ -2,7 +2,7 @@
 
 import package::gen::{FilmHalf, RobustPixel, ROBUST_BLOCKS, SAMPLE_BAD};
 import package::lib::colour::{luminance};
-import package::passes::film::accumulate::{add_sample, params, place_of, radiance};
+import package::passes::film::accumulate::{add_sample, is_full, params, place_of, radiance};
 
 @group(0) @binding(4) var<storage, read_write> blocks: array<RobustPixel>;
 
@@ -26,7 +26,7 @@ fn add_to_blocks(pixel: u32) {
             sums.sum[c] = blocks[index].sums[3u * block + c];
         }
         sums.count = blocks[index].counts[block];
-        if (add_sample(&sums, arrived.rgb) != 0u) {
+        if (is_full(&sums) || add_sample(&sums, arrived.rgb) != 0u) {
             continue;
         }
         for (var c = 0u; c < 3u; c++) {

@@ -236,7 +236,7 @@ fn save_and_report(
     let written = output::all_written(failures);
     let arguments = summary.arguments;
     if !arguments.quiet {
-        summary.bad_lines().iter().for_each(|line| output::note(line));
+        summary.bad_lines().iter().chain(summary.full_line().as_ref()).for_each(|line| output::note(line));
         summary.interrupted_lines(outputs).iter().for_each(|line| output::note(line));
     }
     match arguments.json {

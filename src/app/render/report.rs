@@ -1,5 +1,6 @@
 //! What a render says about itself: metadata in its files, the report as JSON, and a few lines for users.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use glam::UVec2;
@@ -11,7 +12,7 @@ use super::until::{Ended, Until};
 use crate::app::shared::describe::Described;
 use crate::app::shared::memory;
 use crate::app::shared::quality::Quality;
-use crate::app::shared::sources;
+use crate::app::shared::{sources, spared};
 use crate::engine::{ErrorSources, FilmError, Report, RobustFilm, TileCounts};
 use crate::image::Outputs;
 use crate::layout::film::BadSample;
@@ -166,6 +167,7 @@ impl RenderSummary<'_> {
             "relative_error_bound": film.error().map(|error| error.bound),
             "bad_samples": report.bad_samples,
             "bad_log": report.bad_log.iter().map(|bad| self.bad_sample(bad)).collect::<Vec<_>>(),
+            "full_halves": report.full_halves,
             "passes": passes,
             "compiled": compiled,
             "skipped": self.skipped(),
@@ -207,6 +209,17 @@ impl RenderSummary<'_> {
             "digits": self.report.sorted_digits.map(|digits| SORT_DIGITS - digits),
             // Tiles of an adaptive film that were quiet enough for no work in its last round. Null where all pixels have as many samples.
             "tiles": self.report.tiles.map(|tiles| tiles.idle),
+            "textures": {
+                "unused": self.report.spared.unused_textures,
+                "unused_bytes": self.report.spared.unused_texture_bytes,
+                "halved_bytes": self.report.spared.halved_texture_bytes,
+            },
+            // Bytes that were on the device when the film began: of one film after another, as of bands.
+            "uploads": self.report.spared.uploads,
+            // Passes that ran for an earlier film alone, with their milliseconds. Null where the adapter can't time passes.
+            "kept_passes": self.report.spared.passes.iter().copied().collect::<BTreeMap<_, _>>(),
+            // Of a tree that was built for an earlier film. Null where it was built for this one.
+            "kept_tree_milliseconds": self.report.spared.build_milliseconds,
         })
     }
 
@@ -248,6 +261,15 @@ impl RenderSummary<'_> {
         );
         let line = |bad: &BadSample| format!("  {}", self.described().replay(self.pixel(bad), bad.sample));
         std::iter::once(head).chain(shown.map(line)).collect()
+    }
+
+    /// What is said where pixels are full; nothing otherwise.
+    pub fn full_line(&self) -> Option<String> {
+        let full = self.report.full_halves;
+        let line = format!(
+            "warning: {full} halves of pixels are full: they hold no more samples than they have, however many --spp asks for; their means are of those"
+        );
+        (full > 0).then_some(line)
     }
 
     fn rays_per_second(&self) -> f64 {
@@ -374,6 +396,9 @@ impl RenderSummary<'_> {
         if let Some(digits) = self.report.sorted_digits {
             text +=
                 &format!("  not sorted, {} of {SORT_DIGITS} digits: all keys agree in them\n", SORT_DIGITS - digits);
+        }
+        for (what, value) in spared::rows(&self.report.spared) {
+            text += &value.map_or(String::new(), |value| format!("  {what}: {value}\n"));
         }
         text
     }

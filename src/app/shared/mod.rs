@@ -21,6 +21,7 @@ pub(super) mod seconds;
 pub(super) mod settings;
 pub(super) mod shrink;
 pub(super) mod sources;
+pub mod spared;
 pub mod spread;
 pub mod textures;
 pub(super) mod tracer;

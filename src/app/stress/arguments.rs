@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::app::shared::values::MORE;
+use crate::app::shared::values::{MORE, seconds};
 
 #[derive(Debug, Args)]
 #[command(after_help = MORE)]
@@ -24,6 +24,12 @@ pub struct StressArguments {
     /// Measure the shaders of this folder; default ./shaders where there is one, else those built in
     #[arg(long, value_name = "DIR")]
     pub shaders: Option<PathBuf>,
+    /// Begin random-edits with this seed, as a row that failed says
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Make random-edits for so long
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// The table as one JSON object
     #[arg(long)]
     pub json: bool,

@@ -40,7 +40,8 @@ pub fn run(arguments: &StressArguments) -> Result<Exit, Failure> {
     };
     let progress = Progress::new(arguments.quiet);
     let open = |library: Library, name: &str| {
-        Lab::new(gpu.clone(), scale).with_library(library).with_progress(progress.of(name))
+        let lab = Lab::new(gpu.clone(), scale).with_library(library).with_progress(progress.of(name));
+        lab.with_edits(arguments.seed, arguments.time)
     };
     let head = Head { adapter: gpu.name(), scale, begin: Instant::now() };
     if arguments.planted {

@@ -137,8 +137,13 @@ pub fn planted_line(planted: &Planted) -> String {
         Err(error) => text += &format!("    could not be planted: {error}\n"),
         Ok(outcomes) => {
             for outcome in outcomes {
-                let seen = if caught(outcome) { "seen by" } else { "NOT seen by" };
+                let seen = match outcome.verdict() {
+                    _ if caught(outcome) => "seen by",
+                    Verdict::CannotTell(_) => "can't be told by",
+                    _ => "NOT seen by",
+                };
                 let why = match (&outcome.measured, outcome.verdict()) {
+                    (_, Verdict::CannotTell(why)) => why,
                     (Ok(measured), _) => {
                         format!(
                             "{}: {}, at most {}",
@@ -147,7 +152,7 @@ pub fn planted_line(planted: &Planted) -> String {
                             figure(outcome.row.most)
                         )
                     }
-                    (_, Verdict::Fails(Some(why)) | Verdict::CannotTell(why)) => why,
+                    (_, Verdict::Fails(Some(why))) => why,
                     _ => String::new(),
                 };
                 text += &format!("    {seen} {:<18} {why}\n", outcome.row.name);

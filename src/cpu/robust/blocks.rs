@@ -2,7 +2,7 @@
 
 use glam::UVec2;
 
-use crate::cpu::film::{add, place_of};
+use crate::cpu::film::{add, is_full, place_of};
 use crate::layout::film::{AccumulateParams, FilmHalf, ROBUST_BLOCKS, RobustPixel};
 use crate::layout::trace::{RadianceSample, SAMPLE_BAD, luminance};
 
@@ -21,7 +21,7 @@ pub fn add_blocks(blocks: &mut [RobustPixel], radiance: &[RadianceSample], param
             let sample = params.first_sample + layer;
             let number = (sample % ROBUST_BLOCKS) as usize;
             let mut block = block_of(own, number);
-            if from.info & SAMPLE_BAD != 0 || add(&mut block, from, params.exponent).is_some() {
+            if from.info & SAMPLE_BAD != 0 || is_full(&block) || add(&mut block, from, params.exponent).is_some() {
                 continue;
             }
             set_block(own, number, &block);

@@ -3,6 +3,7 @@
 mod adaptive;
 mod albedo;
 mod bad_inputs;
+mod bad_pictures;
 mod bad_samples;
 mod claimed_error;
 mod closed_rooms;
@@ -10,6 +11,7 @@ mod coarse_balls;
 mod coincident_lamps;
 mod coplanar;
 mod covers;
+mod cut_outs;
 mod edges;
 mod equal_centroids;
 mod equal_codes;
@@ -25,6 +27,7 @@ mod layouts;
 mod moved;
 mod moved_pictures;
 mod oracle;
+mod random_edits;
 mod relief;
 mod reuse;
 mod reuse_twin;
@@ -38,6 +41,7 @@ mod texels;
 mod tiny_lights;
 mod trees;
 mod twin;
+pub mod two_adapters;
 mod veils;
 
 use super::row::Row;
@@ -54,6 +58,7 @@ pub static ALL: &[&Row] = &[
     &coplanar::ROW,
     &stack::ROW,
     &layouts::ROW,
+    &two_adapters::ROW,
     &trees::ROW,
     &equal_centroids::ROW,
     &equal_codes::ROW,
@@ -69,6 +74,7 @@ pub static ALL: &[&Row] = &[
     &covers::ROW,
     &coincident_lamps::ROW,
     &veils::ROW,
+    &cut_outs::ROW,
     &texels::ROW,
     &texel_weights::ROW,
     &relief::ROW,
@@ -79,10 +85,12 @@ pub static ALL: &[&Row] = &[
     &reuse::ROW,
     &claimed_error::ROW,
     &adaptive::ROW,
+    &random_edits::ROW,
     &independence::ROW,
     &film_sums::ROW,
     &bad_samples::ROW,
     &bad_inputs::ROW,
+    &bad_pictures::ROW,
 ];
 
 /// The row of a name.

@@ -2,12 +2,15 @@
 
 pub mod aimed;
 pub mod batch;
+pub mod edits;
 pub mod films;
 pub mod forest;
 pub mod lamps;
 pub mod lookups;
 pub mod paths;
 pub mod placed;
+pub mod plant;
+pub mod process;
 pub mod quadrature;
 pub mod sums;
 pub mod surface;

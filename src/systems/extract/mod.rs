@@ -1,6 +1,7 @@
 //! Components to tables and parameters: each system runs where change detection says that it has something to do, and
 //! compares, so that an edit that changes nothing changes no table.
 
+mod beginning;
 mod film;
 mod lights;
 mod materials;
@@ -32,6 +33,7 @@ pub fn add_systems(schedule: &mut Schedule) {
     shot::add_systems(schedule);
     film::add_systems(schedule);
     values::add_systems(schedule);
+    beginning::add_systems(schedule);
     schedule.configure_sets(
         (
             Step::Settings,
@@ -43,6 +45,7 @@ pub fn add_systems(schedule: &mut Schedule) {
             Step::Sky,
             Step::Shot,
             Step::Film,
+            Step::Beginning,
         )
             .chain()
             .in_set(Phase::Extract),

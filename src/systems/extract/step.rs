@@ -14,4 +14,5 @@ pub enum Step {
     Sky,
     Shot,
     Film,
+    Beginning,
 }

@@ -76,14 +76,18 @@ fn extract_textures(
     let materials: BTreeSet<Entity> = uses.iter().map(|uses| uses.0).collect();
     let used: BTreeSet<Entity> = materials.iter().filter_map(|e| maps.get(*e).ok()).flat_map(Maps::all).collect();
     let emit: BTreeSet<Entity> = maps.iter().filter_map(|maps| maps.emission).collect();
-    let mut plans = Vec::new();
+    let (mut plans, mut found) = (Vec::new(), Textures::default());
     for (entity, name, texture, held) in &pictures {
         if used.contains(&entity) {
             let halvings = [halvings(texture, policy.texture_size), 0];
             let words = words(texture, halvings[0]);
             plans.push(Plan { entity, name: name.as_str(), texture, held, halvings, words });
-        } else if held.is_some() {
-            commands.entity(entity).remove::<TextureSlot>();
+        } else {
+            found.unused += 1;
+            found.unused_bytes += 4 * words(texture, halvings(texture, policy.texture_size));
+            if held.is_some() {
+                commands.entity(entity).remove::<TextureSlot>();
+            }
         }
     }
     plans.sort_by_key(|plan| (plan.name, plan.entity));
@@ -96,7 +100,6 @@ fn extract_textures(
         texels.resize(end as usize);
     }
     let mut all = Vec::with_capacity(plans.len());
-    let mut found = Textures::default();
     for ((plan, first), index) in plans.iter().zip(places).zip(0..) {
         let total: u32 = plan.halvings.iter().sum();
         let held = plan.held.filter(|slot| plan.is_held() && u64::from(slot.record.first) == first);
@@ -112,6 +115,7 @@ fn extract_textures(
                 TextureSlot { index, record, halvings: total, source: plan.texture.clone(), brightest }
             }
         };
+        found.halved_bytes += 4 * (words(plan.texture, 0) - plan.words);
         all.push(slot.record);
         found.brightest.push(slot.brightest.unwrap_or(0.0));
         found.uses.push(TextureUse {

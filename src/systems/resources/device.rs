@@ -91,6 +91,8 @@ pub struct Spent {
     /// Linking, validating and compiling shaders that were missing.
     pub compile: f64,
     pub build: f64,
+    /// Of `build`, the last tree.
+    pub last_build: f64,
     pub trace: f64,
     /// Pictures of the film, and views.
     pub picture: f64,

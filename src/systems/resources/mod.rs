@@ -6,6 +6,7 @@ mod film;
 mod governor;
 mod points;
 mod scene;
+mod spared;
 mod textures;
 mod tiles;
 
@@ -18,5 +19,6 @@ pub use scene::{
     Displayed, Endless, Everything, General, LightDensity, MaterialSlot, MeanEmission, MeshSlot, Policy, Relief,
     SceneGeometry, Shot, Sky, SkyCell, SkySource, Target, Texel,
 };
+pub use spared::{DoneBefore, Spared};
 pub use textures::{TextureSlot, TextureUse, Textures, texture_set};
 pub use tiles::{PILOT_SPP, TileCounts, Tiles};

@@ -30,6 +30,11 @@ pub struct Textures {
     /// Of each record, the largest channel of any texel; 0 where it is no map of emission.
     pub brightest: Vec<f32>,
     pub uses: Vec<TextureUse>,
+    /// Textures that no mesh uses, and the bytes that they would take.
+    pub unused: u32,
+    pub unused_bytes: u64,
+    /// Bytes that those in use would take beyond what they do, without being halved.
+    pub halved_bytes: u64,
 }
 
 /// What one texture takes.

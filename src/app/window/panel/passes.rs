@@ -4,6 +4,7 @@ use egui::{Color32, FontId, RichText, Stroke, TextFormat, TextStyle, Ui, text::L
 
 use super::readings::Readings;
 use super::text;
+use crate::app::shared::spared;
 use crate::passes::table::TABLE;
 
 /// Every pass with how often it ran and its time, and every feature that shaders know: lists that stay as they are, whatever runs.
@@ -18,6 +19,19 @@ pub fn show(ui: &mut Ui, readings: &Readings, software: bool) {
             let cell = |text: Option<String>, width: usize| format!("{:>width$}", text.unwrap_or("-".to_owned()));
             ui.monospace(cell(count.map(|count| format!("{count} x")), 7));
             ui.monospace(cell(timed.map(|timed| format!("{:.3} ms", timed.milliseconds)), 12));
+            ui.end_row();
+        }
+    });
+    ui.label(RichText::new("not done for this film").strong()).on_hover_text(
+        "what was there when the film began: bytes as they would be sent, milliseconds as last measured",
+    );
+    egui::Grid::new("spared").num_columns(2).show(ui, |ui| {
+        let spared = readings.report.as_ref().map(|report| report.spared.clone()).unwrap_or_default();
+        let tiles = readings.report.as_ref().and_then(|report| report.tiles);
+        let idle = tiles.map(|tiles| format!("{} of {}", tiles.idle, tiles.tiles));
+        for (what, value) in spared::rows(&spared).into_iter().chain([("tiles quiet enough", idle)]) {
+            ui.label(what);
+            ui.add(egui::Label::new(RichText::new(value.unwrap_or("-".to_owned())).monospace()).extend());
             ui.end_row();
         }
     });
