@@ -16,6 +16,8 @@ INTO = (0, 0, 1)
 BEHIND, LEVEL, REACH, TALL, THICK = .030, .748, .762, .010, .004
 # The number plate: its middle's height, and its size.
 PLATE = (.490, .50, .108)
+# The height of the name.
+NAME = .654
 # The pipes of one side: x of each and the z of its end; their height, and half of their width and height.
 PIPES, PIPE_HEIGHT, PIPE_SIZE = ((.440, -2.100), (.560, -2.070)), .350, (.052, .043)
 
@@ -35,9 +37,13 @@ def lamp(skin, whole):
 
 
 def name(whole):
-    """Letters of chrome below the band."""
-    place = lambda across, up, out: on_face(whole, -across, .655 + up, out, -1)[0]
-    return text("name", "badge", "LUCERNA", .044, .008, place, .16, .44)
+    """Letters of chrome below the band, which stand on the tail as it runs across, and lean as it does in the middle."""
+    across = np.linspace(-.32, .32, 33)
+    line = np.array([on_face(whole, x, NAME, 0, -1)[0] for x in across])
+    up = unit(on_face(whole, 0, NAME + .03, 0, -1)[0] - on_face(whole, 0, NAME - .03, 0, -1)[0])
+    normal = np.array((0, up[2], -up[1]))
+    place = lambda right, high, out: np.array((-right, NAME, np.interp(-right, across, line[:, 2]))) + high * up + out * normal
+    return text("name", "badge", "LUCERNA", .050, .006, place, .16, .44)
 
 
 def number(whole):
@@ -52,7 +58,7 @@ def number(whole):
     points = np.array([place(a, b, 0) for a, b in ((-x, -top), (x, -top), (x, top), (-x, top))])
     board = Part("plate", "plate", points, [[0, 3, 2, 1]], [normal], [[0] * 4], [(1, 0), (0, 0), (0, 1), (1, 1)], [[0, 3, 2, 1]])
     holder = plate("plate_holder", "trim_black", fillet([(-x - .006, -top - .006), (x + .006, -top - .006), (x + .006, top + .006), (-x - .006, top + .006)], .012), -.030, -.001, (0, 1), 2)
-    turn = np.stack([(1.0, 0, 0), up, normal], 1)
+    turn = np.stack([(-1.0, 0, 0), up, normal], 1)
     return [board, oriented(holder.moved(turn, foot))]
 
 
