@@ -7,6 +7,7 @@ Metres; x is to the left, y up, z ahead; z = 0 is half-way between the axles. A 
 import numpy as np
 
 from fair import fair
+from mesh import DIGITS
 from sculpt import sculpt
 from skin import Skin
 from subdivide import subdivide
@@ -127,7 +128,7 @@ def body(levels=4):
     half[np.abs(half[:, 0]) < 1e-7, 0] = 0
     quads = [[index[v] for v in faces[k]] for k in keep]
     half = fair(half, quads, levels)
-    skin = Skin(sculpt(half), quads,
+    skin = Skin(np.round(sculpt(half), DIGITS), quads,
                 [tags[history[0][k]] for k in keep], [history[levels - 1][k] for k in keep], [history[levels - 2][k] for k in keep])
     skin.shade()
     return skin

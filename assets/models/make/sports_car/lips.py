@@ -37,10 +37,8 @@ def rolled(name, edge, out, inner, wide, closed=False):
     n, m = points.shape[:2]
     faces = [[i * m + k, i * m + k + 1, (i + 1) % n * m + k + 1, (i + 1) % n * m + k] for i in range(n if closed else n - 1) for k in range(m - 1)]
     part = smooth(name, "paint", points.reshape(-1, 3), faces, 80)
+    part = part if part.normals[part.corners[0][0]] @ out[0] > 0 else part.flipped()
     # Along the edge the lip is shaded as the sheet is.
-    first = part.corners[0][0]
-    sign = 1 if part.normals[first] @ out[0] > 0 else -1
-    part = part if sign > 0 else part.flipped()
     lip = {i * m: i for i in range(n)}
     for face, corners in zip(part.faces, part.corners):
         for v, c in zip(face, corners):

@@ -88,14 +88,12 @@ def mouths(skin):
 
 
 def openings(skin):
-    """Meshes, walls and darkness behind the other holes."""
-    out = mouths(skin)
-    for name, depth, axes, back, ahead in (("intake", .14, (2, 1), .22, (-1.0, 0, 0)),):
-        push = lambda d: (lambda p, n: p + np.array(ahead) * d)
-        out += pair(skin.part(name + "_walls", "trim_black", {name}, fold=back, lip=.004, walls=True, into=ahead))
-        out += pair(planar(skin.part(name + "_mesh", "grille", {name}, shift=push(depth)), axes, 14))
-        out += pair(skin.part(name + "_back", "gap_black", {name}, shift=push(back)))
-    return out
+    """Walls, meshes and darkness behind the holes."""
+    into = np.array((-1.0, 0, 0))
+    push = lambda far: (lambda p, n: p + far * into)
+    out = pair(skin.part("intake_walls", "trim_black", {"intake"}, fold=.22, lip=.004, walls=True, into=into))
+    out += pair(planar(skin.part("intake_mesh", "grille", {"intake"}, shift=push(.14)), (2, 1), 14))
+    return mouths(skin) + out + pair(skin.part("intake_back", "gap_black", {"intake"}, shift=push(.22)))
 
 
 def lamps(skin):

@@ -40,11 +40,11 @@ class Skin:
             normals[f] += sizes[k]
         on_axis = np.abs(self.points[:, 0]) < 1e-6
         normals[on_axis, 0] = 0
-        self.normals = unit(normals)
+        self.normals = np.round(unit(normals), DIGITS)
 
     def split(self, field, choose, level=0.0):
         """Cuts the faces that `choose(tag, label)` picks where the field has a value, and returns its values."""
-        values = field(self.points) - level
+        values = np.round(field(self.points) - level, DIGITS)
         values[np.abs(values) < NEAR] = 0
         values = list(values)
         added, new_points, new_normals = {}, [], []

@@ -6,7 +6,7 @@ from fields import fillet
 from letters import text
 from mesh import Part, joined, smooth, unit
 from panels import LAMP_DEPTH, LIP
-from shapes import disk, lathe, oriented, plate, squared, sweep
+from shapes import oriented, plate, squared, sweep
 from shell import both, pair
 from surface import on_face
 
