@@ -1,12 +1,11 @@
-"""Below and around the body: wheel wells, floor, wipers."""
+"""Below and around the body: wheel wells and floor."""
 
 import numpy as np
 
-from mesh import joined, smooth
+from mesh import smooth
 from panels import ARCHES
-from shapes import lathe, oriented, plate, sweep
+from shapes import plate
 from shell import pair
-from surface import on_top
 
 
 def wells():
@@ -15,7 +14,7 @@ def wells():
         a = np.radians(np.linspace(-33, 213, 32))
         ring = [(y + (r + .003) * np.sin(t), z + (r + .003) * np.cos(t)) for t in a]
         points, faces = [], []
-        for x in (.945, .58):
+        for x in (.86, .58):
             points += [(x, yy, zz) for yy, zz in ring]
         n = len(ring)
         faces = [[j, n + j, n + j + 1, j + 1] for j in range(n - 1)]
@@ -42,20 +41,5 @@ def floor():
     return [plate("floor", "underbody", outline, .112, .122)]
 
 
-def wipers(skin):
-    """Two arms with blades at rest along the foot of the windscreen."""
-    parts = []
-    for pivot, tip in (((.30, 1.112), (-.10, 1.055)), ((-.16, 1.132), (-.475, .955))):
-        arm = [on_top(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t, .012 + .012 * np.sin(np.pi * t)) for t in np.linspace(0, .62, 6)]
-        blade = [on_top(skin, pivot[0] + (tip[0] - pivot[0]) * t, pivot[1] + (tip[1] - pivot[1]) * t - .004, .010) for t in np.linspace(.12, 1.12, 14)]
-        rubber = [b - np.array((0, .004, 0)) for b in blade]
-        parts.append(sweep("wiper", "trim_black", arm, [(-.009, -.004), (.009, -.004), (.007, .004), (-.007, .004)], 30))
-        parts.append(sweep("wiper", "trim_black", blade, [(-.005, -.006), (.005, -.006), (.003, .006), (-.003, .006)], 30))
-        knob = lathe("wiper", "trim_black", [(-.02, .015), (.010, .015), (.015, .011), (.015, 0)], 20, 40)
-        m = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]], float)
-        parts.append(oriented(knob).moved(m, on_top(skin, pivot[0], pivot[1], 0)))
-    return [joined("wipers", parts)]
-
-
-def all_parts(skin):
-    return wells() + floor() + wipers(skin)
+def all_parts():
+    return wells() + floor()

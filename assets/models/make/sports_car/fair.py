@@ -62,11 +62,14 @@ def fair(points, faces, levels):
     laplacian = Laplacian(points, faces)
     even = EVEN * 16.0 ** (levels - 4)
     free = np.where(laplacian.fixed, 0.0, 1.0)
-    apply = lambda v: v + even * free * laplacian.transposed(laplacian.times(v))
+    middle = np.abs(points[:, 0]) < 1e-7
     out = points.copy()
     for k in range(3):
-        held = np.abs(points[:, 0]) < 1e-7 if k == 0 else np.zeros(len(points), bool)
-        out[:, k] += solve(lambda v: np.where(held, v, apply(np.where(held, 0, v)) * free + (1 - free) * v), -even * free * np.where(held, 0, laplacian.transposed(laplacian.times(points[:, k]))))
+        # Across the middle line a surface goes on to its mirror image, so that there x is 0, and even.
+        held = middle if k == 0 else np.zeros(len(points), bool)
+        uneven = lambda v: free * np.where(held, 0, laplacian.transposed(np.where(held, 0, laplacian.times(v))))
+        move = lambda v: np.where(held, v, v + even * uneven(np.where(held, 0, v)))
+        out[:, k] += solve(move, -even * uneven(points[:, k]))
     return np.round(out, 7)
 
 

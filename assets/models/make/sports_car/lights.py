@@ -1,4 +1,4 @@
-"""What is inside of the head lamps: three projectors with bezels, and a strip of light along the outer edge; and the badge between them."""
+"""What is inside of the head lamps: two lenses with bezels, and a strip of light along the outer edge; and the badge between them."""
 
 import numpy as np
 
@@ -6,13 +6,13 @@ from letters import text
 from mesh import joined, smooth
 from shapes import disk, lathe, oriented, sweep
 from shell import pair
-from surface import look_along, on_face, on_top
+from surface import look_along, nearest, on_top
 
 
 def projectors(skin):
     bezels, domes, cups = [], [], []
     ahead = look_along((.12, .22, 1))
-    for x, z, r in ((.698, 1.948, .031), (.758, 1.866, .030), (.808, 1.782, .027)):
+    for x, z, r in ((.712, 1.935, .030), (.792, 1.822, .028)):
         centre = on_top(skin, x, z, -.034)
         profile = [(-.05, r * 1.2), (.010, r * 1.26), (.016, r * 1.30), (.019, r * 1.26), (.018, r * 1.20)]
         cup = [(.018, r * 1.20), (.012, r * 1.06), (.010, r * .96), (-.006, r * .88), (-.012, r * .74)]
@@ -36,18 +36,19 @@ def signature(skin):
         smooth_path[1:-1] = (smooth_path[:-2] + smooth_path[2:] + 2 * smooth_path[1:-1]) / 4
     strip = sweep("light_strip", "lamp_light", smooth_path, disk(.0055, 8), 60)
     holder = sweep("strip_holder", "chrome", smooth_path - np.array((0, .010, .004)), [(-.013, -.004), (.013, -.004), (.013, .004), (-.013, .004)], 30)
-    amber = [on_top(skin, x, z, -.03) for x, z in ((.665, 1.955), (.715, 1.88), (.765, 1.80), (.812, 1.735))]
-    turn = sweep("indicator", "indicator", amber, disk(.005, 8), 60)
-    return [oriented(strip), oriented(holder), oriented(turn)]
+    return [oriented(strip), oriented(holder)]
 
 
+# Where the badge lies, ahead of the bonnet.
+BADGE = 2.325
 # The outline of the badge's left half, from top to foot: across and up.
 SHIELD = [(0, .036), (.014, .0345), (.0275, .031), (.0285, .018), (.027, .002), (.0225, -.016), (.013, -.030), (0, -.038)]
 
 
 def badge(skin):
     """A shield on the nose: a rim of chrome, black enamel in it, with a letter."""
-    centre, normal = on_face(skin, 0, .408, .002, 1)
+    y, normal = nearest(skin, (0, BADGE), (0, 2), 1, 1, .25)
+    centre = np.array((0, y, BADGE)) + normal * .002
     turn = look_along(normal)
     up = turn[:, 1]
     place = lambda across, high, out: centre + across * np.cross(up, normal) + high * up + normal * (.0030 + out)

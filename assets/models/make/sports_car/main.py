@@ -24,10 +24,8 @@ import mtl
 import panels
 import plants
 import road
-import scoops
 import shell
-import sills
-import splitter
+import skirt
 import tail
 import textures
 import treeline
@@ -45,8 +43,8 @@ def main():
     panels.cut(skin)
     panels.cut_roughly(rough)
     parts = shell.all_parts(skin, rough) + lights.all_parts(whole) + tail.all_parts(skin, whole)
-    parts += louvres.all_parts(skin, whole) + diffuser.all_parts(skin) + sills.all_parts() + splitter.all_parts(skin) + scoops.all_parts(whole) + mirrors.all_parts()
-    parts += lips.all_parts(skin) + chassis.all_parts(whole) + wheels.wheels() + interior.all_parts()
+    parts += louvres.all_parts(skin, whole) + diffuser.all_parts(skin) + skirt.all_parts(whole) + mirrors.all_parts()
+    parts += lips.all_parts(skin) + chassis.all_parts() + wheels.wheels() + interior.all_parts()
     for part in parts:
         if part.uvs is None and part.material in BOXED:
             road.soft_uv(part, BOXED[part.material])

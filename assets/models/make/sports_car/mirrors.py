@@ -8,8 +8,8 @@ from shell import pair
 
 # The middle of the pane, and of the rings behind it: how far ahead, half of the width and of the height, how far in and down.
 MIDDLE = (.985, .858, .645)
-RINGS = ((0, .104, .050, 0, 0), (.010, .110, .055, 0, 0), (.035, .112, .057, .001, .001), (.085, .107, .053, .006, .004), (.130, .094, .043, .016, .009),
-         (.165, .072, .030, .030, .014), (.185, .046, .017, .044, .018), (.192, .020, .006, .052, .020))
+RINGS = ((0, .106, .047, 0, 0), (.010, .111, .052, 0, 0), (.035, .112, .053, .001, .001), (.085, .106, .046, .006, .003), (.130, .097, .034, .013, .006),
+         (.162, .088, .021, .020, .009), (.180, .081, .011, .025, .011), (.187, .074, .004, .029, .012))
 # How much further back the pane's outer edge lies, a metre of width, so that it looks at the driver.
 TURN = .20
 # How many points a ring has; the first half of them lies above.
@@ -17,7 +17,7 @@ STEPS = 20
 
 
 def ring(ahead, half, high, inwards, down, steps=STEPS):
-    u, v = squared(half, high, .62, steps, lean=.22)
+    u, v = squared(half, high, .55, steps, lean=.22)
     x, y, z = MIDDLE
     return np.stack([x + u - inwards, y + v - down, z + ahead + TURN * -u * (1 - 3 * ahead)], 1)
 

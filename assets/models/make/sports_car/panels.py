@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from sculpt import FRONT_AXLE, REAR_AXLE, crease
+from sculpt import FRONT_AXLE, REAR_AXLE
 from fields import FRONT, SIDE, TOP, Outline, below, circle, curve, mirrored
 from weld import mend, weld
 
-ARCHES = ((FRONT_AXLE, .345, .370), (REAR_AXLE, .362, .389))
-GAP = .0105
+ARCHES = ((FRONT_AXLE, .337, .366), (REAR_AXLE, .354, .383))
+# How wide every shut line is, the rounding of its two lips included; their radius, and how deep its floor lies.
+GAP, LIP, DEPTH = .009, .002, .012
 
 side = lambda t, l: t[0] == "side"
 flank = lambda t, l: t[0] == "side" or (t[0] == "top" and t[2] >= 3)
@@ -36,37 +37,30 @@ LID = mirrored([(0, -.385), (.39, -.405), (.445, -.52), (.405, -.90), (.375, -1.
 BONNET = mirrored([(0, 2.5), *curve([(.602, 2.5), (.596, 2.20), (.596, 1.98), (.600, 1.76), (.592, 1.54), (.600, 1.34), (.616, 1.20), (.616, 1.13), (.590, 1.085)], 5),
                    *curve([(.530, 1.090), (.420, 1.128), (.20, 1.158), (0, 1.165)], 5)])
 COWL = mirrored([(0, 1.3), *curve([(.610, 1.3), (.608, 1.09), (.604, 1.03), (.588, .95), (.566, .87), (.548, .80)], 5), (0, .80)])
-# The front and the rear edge of an outlet of the bonnet.
-OUTLET_AHEAD, OUTLET_BEHIND = [(.128, 1.578), (.230, 1.630), (.335, 1.674), (.452, 1.690)], [(.466, 1.592), (.356, 1.562), (.252, 1.516), (.158, 1.462)]
-BONNET_VENT = [*curve(OUTLET_AHEAD, 5), *curve(OUTLET_BEHIND, 5)]
 LAMP = [*curve([(.598, 2.092), (.700, 2.062), (.785, 1.988), (.838, 1.893), (.862, 1.785), (.864, 1.640)], 5)[:-1],
         *curve([(.864, 1.640), (.800, 1.735), (.732, 1.838), (.660, 1.960), (.598, 2.092)], 5)[:-1]]
-DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .44), (.85, .295), (.78, .252), (-.22, .252), (-.31, .305), (-.36, .43), (-.405, .60), (-.45, .78), (-.45, 1.4)]
-INTAKE = [*curve([(-.492, .672), (-.610, .694), (-.740, .705), (-.850, .700)], 4), *curve([(-.874, .672), (-.868, .580), (-.833, .480), (-.775, .385), (-.742, .352)], 4),
-          *curve([(-.712, .350), (-.684, .378), (-.604, .472), (-.530, .580)], 4)]
+DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .44), (.865, .250), (.80, .163), (-.24, .163), (-.345, .250), (-.395, .43), (-.420, .60), (-.45, .78), (-.45, 1.4)]
+# It begins beside the door's trailing edge; its upper edge runs along the shoulder line, its lower one along the crease above the sill.
+INTAKE = [(-.474, .678), (-.858, .704), (-.812, .560), (-.735, .440), (-.650, .388), (-.434, .380)]
+INTAKE_CORNERS = (.022, .022, .12, .12, .05, .022)
+# Half as high as its vane, whose middle is at this height at the front edge, and how it rises to the rear.
+VANE = (.011, .535, .06)
 # Height of the seam above the front bumper, by x: from the bonnet's edge through the lamp to the arch.
-BUMPER = curve([(0, .496), (.25, .499), (.45, .513), (.60, .538), (.75, .560), (.83, .545), (.88, .520), (.93, .490), (.99, .462), (1.2, .452)], 6)
-REAR_BUMPER = [(-1.2, .60), (-1.72, .60), (-1.90, .598), (-2.7, .585), (-2.7, -.5), (-1.2, -.5)]
-CENTRE_INTAKE = mirrored([*curve([(0, .296), (.20, .298), (.36, .296), (.450, .272), (.505, .222)], 4), *curve([(.530, .178), (.512, .156), (.440, .150)], 4), (.30, .150), (0, .150)])
-OUTER_INTAKE = [*curve([(.628, .178), (.648, .250), (.700, .335), (.770, .385), (.872, .414)], 4), *curve([(.896, .380), (.892, .300), (.880, .225)], 4),
-                *curve([(.850, .176), (.760, .166), (.665, .164)], 4)]
+BUMPER = curve([(0, .472), (.25, .474), (.45, .486), (.60, .512), (.75, .536), (.83, .524), (.88, .500), (.93, .475), (.99, .455), (1.2, .448)], 6)
+REAR_BUMPER = [(-1.2, .60), (-1.72, .60), (-1.90, .598), (-2.7, .590), (-2.7, -.5), (-1.2, -.5)]
+CENTRE_INTAKE = mirrored([(0, .318), (.30, .317), (.552, .304), (.508, .154), (.30, .149), (0, .149)])
+OUTER_INTAKE = [(.634, .299), (.740, .322), (.862, .352), (.876, .320), (.858, .200), (.820, .168), (.594, .158)]
 # Of each intake of the nose: its outline and the heights of its bars.
 MOUTHS = {"centre_intake": (CENTRE_INTAKE, (.228,)), "outer_intake": (OUTER_INTAKE, (.235,))}
+# How its corners are rounded.
+CORNER = .018
 # How wide the frame of such an intake is, and how deep it leads.
-FRAME, FUNNEL = .026, .034
-TAIL_PANEL = mirrored([(0, .812), (.55, .808), (.80, .778), (.826, .738), (.80, .655), (.55, .624), (0, .624)])
-# How wide and how deep the slope is that leads to what lies in it.
-TAIL_FRAME, TAIL_DEPTH = .026, .042
-TAIL_LAMP = [(.425, .783), (.62, .778), (.775, .752), (.796, .730), (.782, .674), (.62, .651), (.465, .651)]
-# The lower edge of the rear bumper, which arches over the pipes and meets the valance at the corners.
-DIFFUSER = mirrored([(0, .372), (.27, .372), *curve([(.330, .376), (.385, .410), (.455, .428), (.530, .430), (.600, .424), (.660, .398), (.715, .345), (.765, .290), (.786, .250)], 5), (.790, .05), (0, .05)])
-# The bay of the number plate, how wide the slope is that leads into it, and how deep.
-BAY = mirrored([(0, .568), (.316, .566), (.298, .413), (0, .411)])
-BAY_FRAME, BAY_DEPTH = .020, .040
-# The same of the outlets at the corners.
-VENT_FRAME, VENT_DEPTH = .016, .026
-VENT = [*curve([(.722, .428), (.716, .478), (.722, .526)], 4), *curve([(.748, .546), (.800, .556), (.850, .562)], 4), *curve([(.868, .538), (.860, .486), (.846, .440)], 4), (.822, .414), (.752, .408)]
-HANDLE = [(-.165, .705), (-.325, .722), (-.340, .707), (-.322, .692), (-.175, .679)]
+FRAME, FUNNEL = .014, .022
+# The band of light across the tail, and how deep the walls go behind its lens.
+TAIL_LAMP, LAMP_DEPTH = mirrored([(0, .782), (.45, .780), (.64, .773), (.772, .757), (.786, .742), (.772, .726), (.64, .716), (.45, .714), (0, .714)]), .050
+# The lower edge of the rear bumper.
+DIFFUSER = mirrored([(0, .402), (.58, .400), *curve([(.66, .392), (.715, .362), (.752, .310), (.775, .250)], 5), (.780, .05), (0, .05)])
+HANDLE = [(-.155, .700), (-.335, .713), (-.347, .700), (-.335, .687), (-.155, .674), (-.143, .687)]
 # The opening of the engine lid, how wide and how deep the slope is that leads into it.
 LOUVRES = mirrored([(0, -.838), (.348, -.848), (.326, -1.05), (.318, -1.35), (.338, -1.690), (0, -1.700)])
 LOUVRE_FRAME, LOUVRE_DEPTH = .016, .012
@@ -81,17 +75,12 @@ def fine(tag):
         return True
     if patch == "side":
         return 5 < i < 13 and j < 8 or i > 14
-    return (i < 4 and j > 2) or (5 < i < 13 and j in (1, 2)) or i > 14 or (i > 10 and j < 2) or (i in (6, 7) and j < 3)
+    return (i < 4 and j > 2) or i < 2 or (5 < i < 13 and j in (1, 2)) or i > 14 or (i > 10 and j < 2) or (i in (6, 7) and j < 3)
 
 
 def bumper(p):
     """How far above the front bumper's seam, along the surface, which lies flatter towards the middle."""
     return (p[:, 1] - np.interp(p[:, 0], *BUMPER.T)) * np.interp(p[:, 0], (0, .6, .85, .96), (2.4, 2.2, 1.6, .9))
-
-
-def valance(p):
-    """Below the crease of the rear bumper, from the arch to the diffuser."""
-    return p[:, 1] - crease(p[:, 2]) - .012
 
 
 def windows(skin):
@@ -128,32 +117,16 @@ def cut(skin):
     louvres = Outline(LOUVRES, TOP, .035)
     skin.region("louvre_frame", louvres, pick(deck, "lid"))
     skin.region("louvre_bay", louvres, pick(deck, "louvre_frame"), -LOUVRE_FRAME)
-    skin.panel("flap", circle((-.985, .772), .058), flank, GAP * .8)
-    skin.region("intake_frame", Outline(INTAKE, SIDE, .03), pick(side, "body"))
-    skin.region("intake", Outline(INTAKE, SIDE, .03), pick(side, "intake_frame"), -.010)
-    skin.region("intake_blade", lambda p: np.abs(p[:, 1] - .565 + .14 * (p[:, 2] + .68)) - .013, pick(side, "intake"))
-    skin.panel("handle", Outline(HANDLE, SIDE, .012), side, .004, ("door",))
-    skin.region("bonnet_vent_frame", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet"))
-    skin.region("bonnet_vent", Outline(BONNET_VENT, TOP, .02), pick(nose, "bonnet_vent_frame"), -.008)
+    skin.region("intake", Outline(INTAKE, SIDE, INTAKE_CORNERS), pick(side, "body"))
+    skin.panel("handle", Outline(HANDLE, SIDE, .010), flank, GAP * .8, ("door",))
     for name, (outline, bars) in MOUTHS.items():
-        hole = Outline(outline, FRONT, .03)
-        if name == "outer_intake":
-            wing = lambda p: np.maximum(hole(p), np.abs(p[:, 1] - .325 - .16 * (p[:, 0] - .75)) - .012)
-            skin.region("outer_wing", wing, pick(face, "bumper"))
+        hole = Outline(outline, FRONT, CORNER)
         skin.region(name + "_frame", hole, pick(face, "bumper"), FRAME)
         skin.region(name, hole, pick(face, name + "_frame"))
         for y in bars:
             skin.region(name + "_bar", lambda p: np.abs(p[:, 1] - y - .05 * (p[:, 0] > .45) * (p[:, 0] - .45)) - .006, pick(face, name))
-    panel = Outline(TAIL_PANEL, FRONT, .02)
-    skin.region("tail_frame", panel, lambda t, l: tail_wide(t, l) and l in ("body",))
-    skin.region("tail_panel", panel, pick(tail_wide, "tail_frame"), -TAIL_FRAME)
-    skin.region("tail_lamp", Outline(TAIL_LAMP, FRONT, .02), pick(tail_wide, "tail_panel"))
+    skin.panel("tail_lamp", Outline(TAIL_LAMP, FRONT, .012), tail_wide, GAP)
     skin.region("diffuser", Outline(DIFFUSER, FRONT), pick(tail_wide, "tail_bumper"))
-    skin.region("valance", valance, pick(around_rear, "tail_bumper"))
-    for name, outline, wide in (("bay", BAY, BAY_FRAME), ("vent", VENT, VENT_FRAME)):
-        hole = Outline(outline, FRONT, .03)
-        skin.region(name + "_frame", hole, pick(tail_wide, "tail_bumper"))
-        skin.region(name, hole, pick(tail_wide, name + "_frame"), -wide)
     for _ in range(2):
         skin.coarsen()
     for _ in range(6):
@@ -166,7 +139,6 @@ def cut_roughly(skin):
     skin.within = .006
     windows(skin)
     skin.region("rear_window", Outline(REAR_WINDOW, TOP, .03), lambda t, l: deck(t, l) and l == "body")
-    skin.region("between_lamps", Outline([(-.1, .60), (.46, .60), (.46, .81), (-.1, .81)], FRONT), lambda t, l: t[0] == "rear")
     skin.region("behind_doors", below(2, -.42), lambda t, l: l == "body" and (t[0] == "side" or t[2] > 2))
     for _ in range(2):
         skin.coarsen()

@@ -4,9 +4,11 @@ import numpy as np
 
 from mesh import joined
 from fields import FRONT, Outline
-from panels import FRAME, FUNNEL, MOUTHS, VENT_DEPTH
+from panels import CORNER, DEPTH, FRAME, FUNNEL, LIP, MOUTHS
 
-PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "lid", "flap")
+# Which way the intakes of the nose lead.
+BACK = (0, -.10, -1.0)
+PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "lid", "handle")
 
 
 def both(part, name=None):
@@ -25,14 +27,20 @@ def planar(part, axes, scale):
     return part
 
 
+def sheet(skin, name):
+    """A painted panel up to its rounded lips, and the dark walls below these, which make its shut lines alike from wherever one looks."""
+    part = skin.part(name, "paint", {name}, fold=DEPTH - LIP, lip=LIP)
+    first = len(part.faces) - part.folds
+    wall = lambda k: k >= first and (k - first) % 2 == 1
+    return [part.only(lambda k: not wall(k)), part.moved(name=name + "_edges").only(wall, "gap_black")]
+
+
 def panels(skin):
     out = []
     for name in PAINTED:
-        part = skin.part(name, "paint", {name}, fold=.020 if name != "body" else .024, lip=.0034)
-        out += pair(part) if name in ("door", "flap") else [both(part)]
-    out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-.017)))
-    out.append(both(skin.part("valance", "trim_black", {"valance"}, offset=-.010, fold=.02, lip=.003)))
-    out += pair(skin.part("handle", "paint", {"handle"}, offset=.001, fold=.012, lip=.003))
+        for part in sheet(skin, name):
+            out += pair(part) if name in ("door", "handle") else [both(part)]
+    out.append(both(skin.part("gaps", "gap_black", {"gap"}, offset=-DEPTH)))
     out.append(both(skin.part("cowl", "trim_black", {"cowl"}, offset=-.006, fold=.02, lip=.003)))
     return out
 
@@ -57,40 +65,35 @@ def linings(rough):
     posts = rough.part("post_lining", "trim_black", {"pillar", *(w + e for w in ("windscreen", "side_window", "quarter") for e in ("_frit", "_seal"))}, offset=-.031, pick=cabin)
     cards = rough.part("door_cards", "leather", {"body"}, offset=-.05, pick=doors)
     bay = rough.part("lid_inside", "gap_black", {"body"}, offset=-.045, pick=engine)
-    tail = rough.part("tail_mesh", "grille_fine", {"between_lamps"}, offset=-.062, pick=lambda t: t[0] == "rear" and t[2] < 2)
     mouth = lambda t: t[0] == "front"
-    mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, offset=-.085, pick=mouth)), (0, 1), 14)
-    dark = both(rough.part("intake_back", "gap_black", {"body"}, offset=-.15, pick=mouth))
-    return [mesh, dark, both(planar(tail, (0, 1), 20)), both(lining.flipped()), both(posts.flipped()), both(cards.flipped()), both(bay)]
+    # Straight back, below the bonnet, and a little in from the sides.
+    back = lambda far: (lambda p, n: p * (.955, 1, 1) + far * np.array(BACK))
+    mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, shift=back(.085), pick=mouth)), (0, 1), 14)
+    dark = both(rough.part("intake_back", "gap_black", {"body"}, shift=back(.14), pick=mouth))
+    return [mesh, dark, both(lining.flipped()), both(posts.flipped()), both(cards.flipped()), both(bay)]
 
 
 def mouths(skin):
     """The intakes of the nose: frames that lead inwards, bars, and walls behind; the mesh is one for all."""
     out = []
     for name, (outline, _) in MOUTHS.items():
-        hole = Outline(outline, FRONT, .03)
+        hole = Outline(outline, FRONT, CORNER)
         funnel = lambda p: -.002 - FUNNEL * (1 - np.clip(hole(p) / FRAME, 0, 1))
         row = [skin.part(name + "_frame", "paint", {name + "_frame"}, offset=funnel, fold=.02, lip=.005),
-               skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-FUNNEL - .008, fold=.03, lip=.003),
-               skin.part(name + "_walls", "trim_black", {name, name + "_bar"}, offset=-FUNNEL, fold=.14, lip=.004, walls=True)]
+               skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-FUNNEL - .008, fold=.03, lip=.003, into=BACK),
+               skin.part(name + "_walls", "trim_black", {name, name + "_bar"}, offset=-FUNNEL, fold=.11, lip=.004, walls=True, into=BACK)]
         for part in row:
             out += [both(part)] if name == "centre_intake" else pair(part)
-    return out + pair(skin.part("outer_wings", "paint", {"outer_wing"}, fold=.06, lip=.004))
+    return out
 
 
 def openings(skin):
-    """Meshes, walls and darkness behind the other holes."""
-    out = mouths(skin)
-    out += pair(skin.part("intake_frame", "paint", {"intake_frame"}, offset=-.001, fold=.03, lip=.006))
-    out += pair(skin.part("bonnet_vent_frame", "gloss_black", {"bonnet_vent_frame"}, offset=-.002, fold=.01))
-    out += pair(skin.part("intake_blade", "paint", {"intake_blade"}, offset=-.006, fold=.07, lip=.004, into=(-1, 0, 0)))
-    for name, depth, axes, back, ahead in (("vent", .045, (0, 1), .09, (0, 0, 1.0)), ("intake", .15, (2, 1), .20, (-1.0, 0, 0)), ("bonnet_vent", .045, (0, 2), .075, (0, -1.0, 0))):
-        push = lambda d: (lambda p, n: p + np.array(ahead) * d)
-        start = -VENT_DEPTH if name == "vent" else 0.0
-        out += pair(skin.part(name + "_walls", "trim_black", {name, name + "_blade"}, offset=start, fold=back, lip=.004, walls=True, into=ahead))
-        out += pair(planar(skin.part(name + "_mesh", "grille", {name, name + "_blade"}, shift=push(depth)), axes, 14))
-        out += pair(skin.part(name + "_back", "gap_black", {name, name + "_blade"}, shift=push(back)))
-    return out
+    """Walls, meshes and darkness behind the holes."""
+    into = np.array((-1.0, 0, 0))
+    push = lambda far: (lambda p, n: p + far * into)
+    out = pair(skin.part("intake_walls", "trim_black", {"intake"}, fold=.22, lip=.004, walls=True, into=into))
+    out += pair(planar(skin.part("intake_mesh", "grille", {"intake"}, shift=push(.14)), (2, 1), 14))
+    return mouths(skin) + out + pair(skin.part("intake_back", "gap_black", {"intake"}, shift=push(.22)))
 
 
 def lamps(skin):

@@ -40,11 +40,11 @@ class Skin:
             normals[f] += sizes[k]
         on_axis = np.abs(self.points[:, 0]) < 1e-6
         normals[on_axis, 0] = 0
-        self.normals = unit(normals)
+        self.normals = np.round(unit(normals), DIGITS)
 
     def split(self, field, choose, level=0.0):
         """Cuts the faces that `choose(tag, label)` picks where the field has a value, and returns its values."""
-        values = field(self.points) - level
+        values = np.round(field(self.points) - level, DIGITS)
         values[np.abs(values) < NEAR] = 0
         values = list(values)
         added, new_points, new_normals = {}, [], []
@@ -129,7 +129,7 @@ class Skin:
         """A field whose values near 0 are distances along the surface, however that leans to the plane in which an outline is drawn."""
         def distance(points):
             values = field(points)
-            near = np.abs(values) < .03
+            near = np.abs(values) < .15
             p, n, v = points[near], self.normals[near], values[near]
             across = unit(np.cross(n, np.where(np.abs(n[:, 1:2]) < .9, (0, 1.0, 0), (1.0, 0, 0))))
             tiny = 1e-3
@@ -139,7 +139,7 @@ class Skin:
 
         return distance
 
-    def panel(self, name, field, choose, gap=0.0045, paint=("body",)):
+    def panel(self, name, field, choose, gap, paint=("body",)):
         """A panel with a gap around it, as wide everywhere."""
         field = self.along(field)
         pick = lambda tag, label: label in paint and choose(tag, label)
@@ -207,7 +207,7 @@ class Skin:
     def part(self, name, material, labels, offset=0.0, fold=0.0, lip=0.0015, shift=None, pick=None, walls=False, into=None):
         """The faces of some labels, moved along their normals by `offset` (a number, or a function of positions), with
         edges turned in by `fold`; `shift(points, normals)` may move them anywhere. With `walls`, there is nothing but
-        the edges, seen from inside. `into`: a direction in which offset (then negative) and edges go instead of along the normals."""
+        the edges, seen from inside. The part's `folds` is how many of its last faces are edges, by turns a lip and a wall. `into`: a direction in which offset (then negative) and edges go instead of along the normals."""
         faces = self.faces_of(labels, pick)
         index = {}
         for f in faces:
@@ -235,5 +235,7 @@ class Skin:
         faces = untwisted(p, n, faces)
         if walls:
             return Part(name, material, np.concatenate([p, extra[0]]), extra[1], np.concatenate([n, extra[2]]), extra[3]).flipped()
-        return Part(name, material, np.concatenate([p, extra[0]]), faces + extra[1],
+        part = Part(name, material, np.concatenate([p, extra[0]]), faces + extra[1],
                     np.concatenate([n, extra[2]]), faces + extra[3])
+        part.folds = len(extra[1])
+        return part

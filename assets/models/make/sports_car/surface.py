@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mesh import unit
+from mesh import DIGITS, unit
 
 # How many points of a surface say how it runs between them.
 AROUND = 20
@@ -19,7 +19,7 @@ def nearest(skin, at, axes, axis, sign, least):
         p, looks = np.concatenate([p, p * (-1, 1, 1)]), np.concatenate([looks, looks])
     du, dv = p[:, axes[0]] - x, p[:, axes[1]] - other
     d = np.hypot(du, dv) + np.where(looks, 0, 9)
-    near = np.argsort(d, kind="stable")[:AROUND]
+    near = np.argsort(np.round(d, DIGITS), kind="stable")[:AROUND]
     reach = d[near[-1]] * 1.05
     w = (1 - (d[near] / reach) ** 2) ** 2
     u, v = du[near] / reach, dv[near] / reach
@@ -40,12 +40,6 @@ def on_face(skin, x, y, lift, sign):
     """A point of the front (`sign` 1) or the tail (-1), lifted along its normal; and that normal."""
     z, n = nearest(skin, (x, y), (0, 1), 2, sign, .5)
     return np.array((x, y, z)) + n * lift, n
-
-
-def on_side(skin, z, y, lift):
-    """A point of the flank, lifted along its normal."""
-    x, n = nearest(skin, (y, z), (1, 2), 0, 1, .3)
-    return np.array((x, y, z)) + n * lift
 
 
 def look_along(direction):
