@@ -47,7 +47,8 @@ SHIELD = [(0, .036), (.014, .0345), (.0275, .031), (.0285, .018), (.027, .002), 
 
 def badge(skin):
     """A shield on the nose: a rim of chrome, black enamel in it, with a letter."""
-    y, normal = nearest(skin, (0, BADGE), (0, 2), 1, 1, .25)
+    # Of what looks up steeply, so that the chin below is none of it.
+    y, normal = nearest(skin, (0, BADGE), (0, 2), 1, 1, .7)
     centre = np.array((0, y, BADGE)) + normal * .002
     turn = look_along(normal)
     up = turn[:, 1]
