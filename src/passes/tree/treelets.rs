@@ -3,11 +3,11 @@
 //! A treelet is joined by one workgroup in its own memory, so nothing has to order workgroups, and it keeps the numbers of its nodes, so treelets don't
 //! know of each other. Each level is a dispatch: of treelets that are joined of leaves, then of larger ones of the clusters below.
 
-use crate::layout::tree::{TREELET_SIZE, TreeletParams, treelet_levels};
+use crate::layout::tree::{TreeletParams, treelet_levels};
 use crate::passes::twin::twin;
 use crate::passes::{Binding, Makes, Pass, Recording, Size};
 
-/// Treelets of up to [`TREELET_SIZE`] leaves.
+/// Treelets of up to `TREELET_SIZE` leaves.
 pub static TREELETS: Pass = Pass {
     name: "treelets",
     module: "passes/tree/treelets",
@@ -50,5 +50,4 @@ pub fn record(recording: &mut Recording, n: u32) {
         let groups = n.div_ceil(at.limit / 2).min(MOST_GROUPS);
         recording.run(pass, Size::Groups([groups, 1, 1])).params(&params);
     }
-    debug_assert!(TREELET_SIZE <= 256, "a workgroup of every device has so many threads");
 }
