@@ -20,7 +20,7 @@ fn build_treelets(
     for (var i = workgroup.x + workgroup.y * workgroups.x; i < count; i += stride) {
         let root = treelets[params.first + i];
         let leaves = min(nodes[root].leaves, TREELET_SIZE);
-        // A range of leaves is numbered by its first if that is where the next range begins that is as long or longer, else by its last.
+        // A node over a range of leaves has the number of its first or of its last leaf (Karras 2012), and the split of its range says which.
         let from_first = (nodes[root].left & ~LEAF_BIT) >= root;
         let first = select(root + 1u - leaves, root, from_first);
         workgroupBarrier();
