@@ -49,6 +49,7 @@ fn a_hundred_edits_end_where_a_fresh_engine_begins() {
         assert!(edited == fresh, "after edit {i}, {what}, {} pixels differ", count_different(&edited, &fresh));
         lit += usize::from(edited.iter().any(|p| p.halves[0].sum[0] != glam::UVec2::ZERO));
     }
+    // With this seed 9 of 20 do.
     assert!(lit >= 8, "only {lit} of 20 films saw any light: black films prove nothing");
 }
 

@@ -114,6 +114,18 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     entries.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
 }
 
+/// A file with another adapter in wgpu's header, and a checksum that is right again.
+fn of_another_device(file: &[u8]) -> Vec<u8> {
+    let mut bytes = file[8..].to_vec();
+    // Behind a magic of 8 bytes, two versions of 4 and the backend.
+    bytes[17] ^= 1;
+    let mut hasher = std::hash::DefaultHasher::new();
+    std::hash::Hash::hash(&bytes[..], &mut hasher);
+    let mut file = std::hash::Hasher::finish(&hasher).to_le_bytes().to_vec();
+    file.extend(bytes);
+    file
+}
+
 #[test]
 fn pipelines_are_kept_for_the_next_start_and_damage_costs_a_compile() {
     if !support::gpu().features.contains(wgpu::Features::PIPELINE_CACHE) {
@@ -137,6 +149,12 @@ fn pipelines_are_kept_for_the_next_start_and_damage_costs_a_compile() {
     }
     assert_eq!(pipelines_made(place), (made, 0), "all files were damaged");
     assert_eq!(pipelines_made(place), (made, made), "and mended");
+    for file in &files {
+        std::fs::write(file, of_another_device(&std::fs::read(file).unwrap())).unwrap();
+    }
+    assert_eq!(pipelines_made(place).0, made, "all files were of another device");
+    assert_eq!(pipelines_made(place), (made, 0), "and are gone");
+    assert_eq!(pipelines_made(place), (made, made), "and made anew");
     assert_eq!(pipelines_made("off"), (made, 0), "off");
 }
 

@@ -45,8 +45,8 @@ struct Below {
     leaves: u32,
 }
 
-/// Checks a tree entirely: each leaf and each node is below the root exactly once, parents' words, numbers of leaves, their
-/// order, and that each child's box equals what its triangles' padded boxes span.
+/// Checks a tree entirely: each leaf and each node is below the root exactly once, parents' words, numbers of leaves,
+/// and that each child's box equals what its triangles' padded boxes span.
 pub fn measure(leaves: &[Triangle], nodes: &[Node]) -> Result<TreeMeasure, TreeFault> {
     if nodes.len() != leaves.len().saturating_sub(1) {
         return Err(TreeFault::NodeCount { leaves: leaves.len(), nodes: nodes.len() });

@@ -5,10 +5,13 @@
 //! are nearest to each other become one. Then larger subtrees are, of clusters that are as many times larger, up to the whole tree; each reaches
 //! across the borders of those before it. A subtree keeps the numbers of its nodes, and its root's is the same: so what is above it stays right.
 
+use glam::Vec3;
+
 use super::bounds::Bounds;
 use super::node_boxes::{child_boxes, set_boxes};
 use crate::layout::tree::{
-    LEAF_BIT, NO_ROOT, Node, TREELET_RADIUS, TREELET_SIZE, TREELET_TURNS, TreeletLevel, treelet_levels,
+    LEAF_BIT, NO_ROOT, Node, TREELET_LEAST_AREA, TREELET_LONGEST, TREELET_RADIUS, TREELET_SIZE, TREELET_TURNS,
+    TreeletLevel, treelet_levels,
 };
 use crate::parallel;
 
@@ -122,7 +125,7 @@ fn neighbours(count: usize) -> Vec<usize> {
 }
 
 /// For each cluster the place of that which it is nearest to: where the box of both has least surface beyond those of either. (By the surface of
-/// both boxes' box alone, as in the paper, costs are half a hundredth higher, and shells around shells are all as near.) Of two as good ones, the
+/// both boxes' box alone, as in the paper, costs are 0.5 % higher, and shells around shells are all as near.) Of two as good ones, the
 /// pair whose places differ in lower bits, then the first: so all clusters order pairs in one way, and the best of all pairs is nearest to each other.
 fn nearest(clusters: &[Cluster]) -> Vec<usize> {
     let areas: Vec<f32> = clusters.iter().map(|cluster| cluster_area(cluster.bounds)).collect();
@@ -147,13 +150,10 @@ fn nearest(clusters: &[Cluster]) -> Vec<usize> {
     (0..clusters.len()).map(of).collect()
 }
 
-/// Half of a box's surface, as kernels compute it: no product is infinite, and one that is too small to be a normal number is none.
+/// Half of a box's surface, as kernels compute it.
 pub fn cluster_area(bounds: Bounds) -> f32 {
-    let size = bounds.high - bounds.low;
-    let product = |a: f32, b: f32| {
-        let product = (a * b).min(1e38);
-        if product < f32::MIN_POSITIVE { 0.0 } else { product }
-    };
+    let size = (bounds.high - bounds.low).min(Vec3::splat(TREELET_LONGEST));
+    let product = |a: f32, b: f32| if a * b < TREELET_LEAST_AREA { 0.0 } else { a * b };
     product(size.x, size.y) + product(size.y, size.z) + product(size.z, size.x)
 }
 

@@ -5,7 +5,7 @@ use bevy_ecs::prelude::*;
 use crate::systems::resources::{Device, DoneBefore, Spared, Spent, Textures};
 use crate::systems::table_bytes;
 
-/// What was there already when the film began.
+/// What was there already, or what nothing needs.
 pub fn spared(world: &World) -> Spared {
     let (device, before) = (&world.resource::<Device>().0, world.resource::<DoneBefore>());
     let (spent, textures) = (world.resource::<Spent>(), world.resource::<Textures>());

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use super::code::{Code, LOOPS, Use};
 use super::entry::{checked_entry, features_of};
 use super::pipeline::{Pipeline, build};
+use super::pipeline_cache::{PipelineCache, Slot};
 use super::{Gpu, GpuError};
 use crate::passes::Pass;
 use crate::passes::table::TABLE;
@@ -36,7 +37,7 @@ pub struct PassCompile {
     pub name: &'static str,
     /// Pipelines that were compiled.
     pub count: u64,
-    /// Those of them that an earlier start had left compiled.
+    /// Those of them of which an earlier start had left a file.
     pub kept: u64,
     /// Linking and validating their code, milliseconds.
     pub link_milliseconds: f64,
@@ -151,7 +152,7 @@ impl Compiler {
         let linked_at = Instant::now();
         // Edited code changes too often to be worth keeping.
         let cache = self.gpu.pipeline_cache.as_ref().filter(|_| !edited && !limited);
-        let slot = cache.map(|cache| cache.slot(&self.gpu.device, pass.name, fingerprint));
+        let slot = cache.and_then(|cache| self.slot(cache, pass, fingerprint));
         let (compute, layout) = build(&self.gpu, pass, &entry, linked.module, slot.as_ref())?;
         let found = slot.as_ref().is_some_and(|slot| slot.found);
         self.note(pass.name, found, linked_at - started, linked_at.elapsed());
@@ -159,6 +160,12 @@ impl Compiler {
             slot.keep();
         }
         Ok((Pipeline { compute, layout, entry, serial, fingerprint, edited, limited }, loops))
+    }
+
+    /// Where a pipeline is kept. What is there of another device is removed, and costs this start a compile.
+    fn slot(&self, cache: &PipelineCache, pass: &Pass, fingerprint: u64) -> Option<Slot> {
+        let slot = self.gpu.guarded("kept pipeline", || cache.slot(&self.gpu.device, pass.name, fingerprint));
+        slot.inspect_err(|_| cache.remove(pass.name, fingerprint)).ok()
     }
 
     /// Takes note of a pipeline that was compiled.

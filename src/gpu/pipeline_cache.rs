@@ -1,8 +1,8 @@
 //! What drivers compiled, kept between starts: a file a pipeline, in the user's folder of caches.
 //!
 //! Drivers have caches of their own, but not on every machine, and compiling the trace kernels takes half of a first picture's time on a
-//! GPU. A file here is what the driver gives of one pipeline. It holds its own identity (device, driver, code), so that a file which is
-//! found under a wrong name costs a compile and no more; what makes it damaged is seen by a checksum, for a driver may trust it.
+//! GPU. A file here is what the driver gives of one pipeline. It says of which device, driver and code it is, so one that is found under a wrong
+//! name costs a compile and no more. Damage is seen by a checksum, for a driver may trust what it is given.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -15,8 +15,8 @@ use crate::files;
 /// The environment variable that names another folder, or says `off`.
 const VARIABLE: &str = "LUCERNA_PIPELINE_CACHE";
 
-/// Files that the folder of a device keeps at most: those that were written longest ago go first. Each has some 100 KiB.
-const MOST_FILES: usize = 256;
+/// Files of all devices and drivers that are kept at most: those that were written longest ago go first. Each has some 100 KiB.
+const MOST_FILES: usize = 512;
 
 /// Bytes of a file that is read at most.
 const MOST_BYTES: u64 = 64 << 20;
@@ -72,13 +72,22 @@ impl PipelineCache {
 
     /// The part of the pipeline of a pass whose code has this fingerprint.
     pub fn slot(&self, device: &wgpu::Device, pass: &str, fingerprint: u64) -> Slot {
-        let name = pass.replace(' ', "-");
-        let file = self.folder.join(format!("{name}-{fingerprint:016x}.bin"));
+        let file = self.file(pass, fingerprint);
         let before = files::read(&file, MOST_BYTES).ok().and_then(|bytes| unsealed(&bytes).map(<[u8]>::to_vec));
         let descriptor = wgpu::PipelineCacheDescriptor { label: Some(pass), data: before.as_deref(), fallback: true };
-        // SAFETY: the data are what `get_data` gave, by the checksum behind them; wgpu sees to it that they are of this device and driver.
+        // SAFETY: the data are what `get_data` gave, by the checksum before them; wgpu sees to it that they are of this device and driver.
         let cache = unsafe { device.create_pipeline_cache(&descriptor) };
         Slot { cache, found: before.is_some(), file, before }
+    }
+
+    /// Drops what is kept of a pipeline.
+    pub fn remove(&self, pass: &str, fingerprint: u64) {
+        // Another process may have done so.
+        let _ = fs::remove_file(self.file(pass, fingerprint));
+    }
+
+    fn file(&self, pass: &str, fingerprint: u64) -> PathBuf {
+        self.folder.join(format!("{}-{fingerprint:016x}.bin", pass.replace(' ', "-")))
     }
 }
 
@@ -94,8 +103,8 @@ impl Slot {
             file.persist(&self.file)?;
             Ok(())
         };
-        if written().is_ok() {
-            drop_oldest(folder, MOST_FILES);
+        if let (Ok(()), Some(all)) = (written(), folder.parent()) {
+            drop_oldest(all, MOST_FILES);
         }
     }
 }
@@ -113,14 +122,13 @@ fn unsealed(file: &[u8]) -> Option<&[u8]> {
     (u64::from_le_bytes(*sum) == hash(bytes)).then_some(bytes)
 }
 
-/// Removes files until so many are left, those that were written longest ago first.
-fn drop_oldest(folder: &Path, most: usize) {
-    let Ok(entries) = fs::read_dir(folder) else { return };
-    let mut files: Vec<(SystemTime, PathBuf)> = entries
-        .flatten()
-        .filter(|entry| entry.path().extension().is_some_and(|extension| extension == "bin"))
-        .filter_map(|entry| Some((entry.metadata().ok()?.modified().ok()?, entry.path())))
-        .collect();
+/// Removes files of the folders in a folder until so many are left, those that were written longest ago first.
+fn drop_oldest(all: &Path, most: usize) {
+    let entries = |folder: &Path| fs::read_dir(folder).into_iter().flatten().flatten();
+    let written = |file: fs::DirEntry| Some((file.metadata().ok()?.modified().ok()?, file.path()));
+    let folders: Vec<PathBuf> = entries(all).map(|folder| folder.path()).collect();
+    let mut files: Vec<(SystemTime, PathBuf)> =
+        folders.iter().flat_map(|folder| entries(folder)).filter_map(written).collect();
     files.sort();
     let spare = files.len().saturating_sub(most);
     for (_, file) in &files[..spare] {

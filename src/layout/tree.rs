@@ -40,9 +40,13 @@ gpu_consts! {
     pub const TREELET_RADIUS: u32 = 4;
     /// Turns in which clusters of a treelet choose. What they leave is joined in the order of its places, or shells in shells would make a chain.
     pub const TREELET_TURNS: u32 = 20;
+    /// Sides of boxes are at most this when surfaces are compared, scene units: their products are finite.
+    pub const TREELET_LONGEST: f32 = 1e19;
+    /// Surfaces below this (2^-100) are none: then differences of surfaces are normal numbers, which no device flushes to 0.
+    pub const TREELET_LEAST_AREA: f32 = 7.888609e-31;
     /// By how many times treelets of the next level are larger.
     pub const TREELET_GROWTH: u32 = 8;
-    /// The leaves of a treelet by those of its clusters, at most: half of what would fill it, for few clusters are as large as they may be.
+    /// A treelet has at most so many times the leaves of its largest cluster: half of `TREELET_SIZE`, for few clusters are as large as they may be.
     pub const TREELET_PART: u32 = 128;
     /// Levels of treelets, at most; the last has whole trees of 2^29 leaves.
     pub const TREELET_LEVELS: u32 = 8;

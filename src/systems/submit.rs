@@ -72,9 +72,7 @@ fn submit_frame(
         learnt.spent.trace += seconds;
         learnt.spent.film += seconds;
         learnt.spent.samples += samples;
-        // What is left of a round of tiles is few samples: the next batch is not to be as small.
-        let is_remainder = planned.batch.tiles.is_some() && learnt.governor.is_small(samples);
-        if !is_remainder {
+        if !planned.batch.is_remainder() {
             learnt.governor.learn(samples, seconds);
         }
     }

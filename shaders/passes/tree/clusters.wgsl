@@ -4,7 +4,7 @@
 // their codes, each looks at those up to TREELET_RADIUS places away, and two that are nearest to each other become one, in the place of
 // the first. The nodes that join them get the numbers of those that did before, the root's the root's: what is above stays right.
 
-import package::gen::{LEAF_BIT, Node, TREELET_RADIUS, TREELET_SIZE, TREELET_TURNS};
+import package::gen::{LEAF_BIT, Node, TREELET_LEAST_AREA, TREELET_LONGEST, TREELET_RADIUS, TREELET_SIZE, TREELET_TURNS};
 
 // More than it takes to halve a treelet until one is left.
 const MOST_HALVINGS = 16u;
@@ -34,16 +34,15 @@ var<workgroup> marked: array<atomic<u32>, TREELET_SIZE / 32u>;
 // How many clusters a turn leaves, and how many nodes it made.
 var<workgroup> turned: vec2<u32>;
 
-// A product of two lengths, at most 1e38, and none where it is no normal number: devices differ in what they make of those. So it can't be
-// fused with a sum either, which would round another way.
+// A product of two sides of a box; none where it is small. So it can't be fused with a sum, which would round another way.
 fn area_product(a: f32, b: f32) -> f32 {
-    let product = min(a * b, 1e38);
-    return select(product, 0.0, product < 1.17549435e-38);
+    let product = a * b;
+    return select(product, 0.0, product < TREELET_LEAST_AREA);
 }
 
 // Half the surface of a box.
 fn box_area(low: vec3<f32>, high: vec3<f32>) -> f32 {
-    let size = high - low;
+    let size = min(high - low, vec3(TREELET_LONGEST));
     return area_product(size.x, size.y) + area_product(size.y, size.z) + area_product(size.z, size.x);
 }
 

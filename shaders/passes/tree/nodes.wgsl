@@ -2,7 +2,8 @@
 // Octrees, and k-d Trees"), each node with the boxes of its two children.
 //
 // A thread finds the range of its node and where that splits, and queries the pyramid for the boxes of both halves. No
-// thread reads what another one of this dispatch writes, so nothing depends on the order in which they run.
+// thread reads what another one of this dispatch writes, so nothing depends on the order in which they run but the order of the roots in
+// `treelets`, on which nothing does.
 
 import package::gen::{
     BuildParams, LEAF_BIT, LeafBox, NO_ROOT, Node, SORT_IN_BACK, SortPlan, TREELET_GROWTH, TREELET_LEVELS, TREELET_SIZE

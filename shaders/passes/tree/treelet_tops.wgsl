@@ -9,7 +9,7 @@ import package::passes::tree::clusters::{
 @group(0) @binding(2) var<storage, read> params: TreeletParams;
 
 const GROUP_SIZE = TREELET_SIZE;
-// No tree is deeper.
+// No treelet is as deep: codes and indices make 96 levels at most, and a treelet below one 28.
 const MAX_TURNS = 128u;
 
 fn left_of(node: Node) -> Cluster {
@@ -86,6 +86,7 @@ fn build_treelet_tops(
         let root = treelets[params.first + i];
         workgroupBarrier();
         let clusters = take_apart(root, params.below, lane);
+        storageBarrier();
         if clusters > 0u {
             join_clusters(clusters, lane);
         }

@@ -30,6 +30,7 @@ fn build_treelets(
             numbers[lane] = select(root - lane, root + lane, from_first);
         }
         workgroupBarrier();
+        storageBarrier();
         join_clusters(leaves, lane);
     }
 }

@@ -342,7 +342,7 @@ impl RenderSummary<'_> {
         text += &self.skipped_lines();
         for pass in &report.compiles {
             let (link, driver) = (pass.link_milliseconds, pass.driver_milliseconds);
-            let how = if pass.kept == pass.count { "made of what an earlier start compiled" } else { "compiled" };
+            let how = if pass.kept == pass.count { "made with the file of an earlier start" } else { "compiled" };
             text += &format!("  {:<16} linked in {link:.1} ms, {how} in {driver:.1} ms\n", pass.name);
         }
         if report.textures > 0 {

@@ -46,7 +46,7 @@ pub fn record(recording: &mut Recording, n: u32) {
     for (level, at) in (0..).zip(treelet_levels(n)) {
         let params = TreeletParams { level, first: at.first, below: at.below, pad: 0 };
         let pass = if level == 0 { &TREELETS } else { &TOPS };
-        // About as many as there are: they have two thirds of the leaves that they may have.
+        // Some more than there are, if they have two thirds of the leaves that they may have.
         let groups = n.div_ceil(at.limit / 2).min(MOST_GROUPS);
         recording.run(pass, Size::Groups([groups, 1, 1])).params(&params);
     }

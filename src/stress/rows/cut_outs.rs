@@ -34,7 +34,7 @@ const BLOCK: u32 = 8;
 /// Layers, and the code of what part of each is there.
 const STACKS: [(u32, u8); 7] = [(1, 128), (2, 128), (4, 128), (8, 128), (30, 8), (300, 1), (1000, 128)];
 
-/// How much of all samples are before the sky.
+/// One in so many samples is before the sky.
 const OF_SKY: u64 = 10;
 
 fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {

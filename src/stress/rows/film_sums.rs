@@ -14,7 +14,7 @@ use crate::stress::tools::sums::{add, read, reset};
 
 pub static ROW: Row = Row {
     name: "film-sums",
-    holds: "a million samples of 0.1, of 0.3 and of 0.7 have these means, and the same bits however batches cut them",
+    holds: "a million samples of 0.1, 0.3 and 0.7 have these means, the same bits however cut; a film that is full keeps its mean",
     quantity: "relative error of a mean",
     most: 1e-6,
     unit: "samples",
@@ -77,7 +77,10 @@ fn fill(lab: &Lab) -> Result<(), StressError> {
     let mut rig = lab.rig();
     reset(&mut rig, &params)?;
     add(&mut rig, &params, 0, &samples, exponent)?;
-    let (film, _) = read(&rig, &params)?;
+    let (film, counters) = read(&rig, &params)?;
+    if counters.full.0 != 2 {
+        return Err(StressError::Broken(format!("{} halves of 2 are full", counters.full.0)));
+    }
     let mut twin = vec![FilmPixel::default()];
     accumulate(&mut twin, &samples, &accumulate_params(&params, exponent, &params));
     let (mean, count) = pixel_mean(&film[0], exponent);

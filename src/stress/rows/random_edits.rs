@@ -46,9 +46,7 @@ fn first_scene() -> SceneDescription {
     let map = TextureMap::new("checks");
     let image = Arc::new(picture(UVec2::splat(8), &mut Dice::new(0)));
     scene.textures.insert(texture_name(&map, MapUse::Colour), Texture::new(image, Reading::Colour));
-    if let Some(wall) = scene.materials.get_mut("wall 0") {
-        wall.maps.kd = Some(map);
-    }
+    scene.materials.get_mut("wall 0").expect("invariant: the room has a wall 0").maps.kd = Some(map);
     scene
 }
 
@@ -215,7 +213,7 @@ fn measure(lab: &Lab, _: u64) -> Result<Measured, StressError> {
     let begin = Instant::now();
     let (mut edits, mut seeds, mut grown) = (0, 0, Some(0));
     loop {
-        match try_seed(lab, lab.seed() + seeds, &first, &libraries)? {
+        match try_seed(lab, lab.seed().wrapping_add(seeds), &first, &libraries)? {
             Ok(made) => {
                 edits += u64::from(made.passes * EDITS);
                 grown = grown.zip(made.grown).map(|(before, more)| before + more);

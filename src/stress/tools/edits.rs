@@ -85,8 +85,8 @@ const KINDS: [Kind; 18] = [
     Kind::Map,
 ];
 
-/// Makes one edit, and says what it was. `file` is the scene that is applied again now and then. Edits of the kind `unseen` are hidden from change
-/// detection, as a mistake would.
+/// Makes one edit, and says what it was. `file` is the scene that is applied again now and then. Where an edit of the kind
+/// `unseen` writes a component, change detection does not hear of it; those that add or remove entities can't be hidden.
 pub fn edit(world: &mut World, dice: &mut Dice, file: &SceneDescription, unseen: Option<Kind>) -> String {
     let kind = KINDS[dice.roll(KINDS.len() as u64) as usize];
     let hidden = unseen == Some(kind);

@@ -152,11 +152,18 @@ pub struct TileBatch {
     pub runs: u32,
     /// Samples of pixels of the window.
     pub pixels: u64,
+    /// About as many were asked for.
+    pub asked: u64,
     /// Tiles have all that was wanted.
     pub done: bool,
 }
 
 impl Batch {
+    /// Whether it is what was left of a round of tiles: a submission takes most of its time by itself, and the next batch is not to be as small.
+    pub fn is_remainder(&self) -> bool {
+        self.tiles.is_some_and(|tiles| 4 * tiles.pixels < tiles.asked)
+    }
+
     /// Whether it adds nothing.
     pub fn is_empty(&self) -> bool {
         self.layers == 0

@@ -33,11 +33,6 @@ impl Governor {
         self.last = samples as f64;
     }
 
-    /// Whether a batch is far smaller than the last that it learnt of: then what a submission takes by itself is most of its time.
-    pub fn is_small(&self, samples: u64) -> bool {
-        (samples as f64) * GROWTH < self.last
-    }
-
     /// Forgets what it learnt: the scene is another one.
     pub fn forget(&mut self) {
         *self = Self::default();

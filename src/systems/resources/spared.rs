@@ -1,4 +1,4 @@
-//! What was there already when the film began, and so was not done again for it.
+//! What was not done for the film: it was there already, or nothing needs it.
 
 use std::collections::BTreeMap;
 

@@ -145,7 +145,7 @@ impl Tiles {
             pixels += self.list_tile(tile, room);
         }
         let done = self.traced == self.wanted;
-        TileBatch { samples: self.samples.len() as u32, runs: self.runs.len() as u32, pixels, done }
+        TileBatch { samples: self.samples.len() as u32, runs: self.runs.len() as u32, pixels, asked: most, done }
     }
 
     /// The same of one tile: `room` of its samples at most. Returns the samples of pixels.

@@ -23,7 +23,7 @@ pub fn show(ui: &mut Ui, readings: &Readings, software: bool) {
         }
     });
     ui.label(RichText::new("not done for this film").strong()).on_hover_text(
-        "what was there when the film began: bytes as they would be sent, milliseconds as last measured",
+        "what was there already, or what nothing needs: bytes as they would be sent, milliseconds as last measured",
     );
     egui::Grid::new("spared").num_columns(2).show(ui, |ui| {
         let spared = readings.report.as_ref().map(|report| report.spared.clone()).unwrap_or_default();
