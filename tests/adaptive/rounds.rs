@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::{UVec2, Vec3};
 use lucerna::cpu::allocation::Grid;
 use lucerna::layout::adaptive::TileTally;
-use lucerna::systems::resources::{PILOT_SPP, Tiles};
+use lucerna::systems::resources::{Batch, PILOT_SPP, TileBatch, Tiles};
 
 use crate::support::dice::Dice;
 
@@ -122,4 +122,15 @@ fn all_that_is_to_be_dealt_is() {
         assert!((0.98..=1.0).contains(&part), "{average} spp: {part} of it");
         assert!(counts.values().min() < counts.values().max(), "{average} spp");
     }
+}
+
+/// Nothing is learnt of such a batch, or the next one would be as small, and a film of a hundred batches one of thousands.
+#[test]
+fn what_is_left_of_a_round_is_told_by_what_was_asked_for() {
+    let batch = |pixels| Batch {
+        tiles: Some(TileBatch { samples: 1, runs: 1, pixels, asked: 100, done: true }),
+        ..Batch::default()
+    };
+    assert_eq!([0, 24, 25, 100].map(|pixels| batch(pixels).is_remainder()), [true, true, false, false]);
+    assert!(!Batch { rows: 1, layers: 1, ..Batch::default() }.is_remainder(), "of rows");
 }

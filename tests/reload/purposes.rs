@@ -6,12 +6,13 @@ use lucerna::passes::{Makes, Pass};
 use super::Bench;
 
 /// Not run for a small scene whose film is shown.
-const UNUSED: [&str; 8] = ["sort scan", "view", "debug", "probe", "probe colours", "gather", "blocks", "tally"];
+const UNUSED: [&str; 9] =
+    ["sort scan", "treelet tops", "view", "debug", "probe", "probe colours", "gather", "blocks", "tally"];
 
 /// The pass that finishes what is made.
 fn last_of(purpose: Makes) -> &'static str {
     match purpose {
-        Makes::Tree => "nodes",
+        Makes::Tree => "treelets",
         Makes::Film => "path",
         Makes::Picture => "display",
     }

@@ -15,7 +15,7 @@ fn after(bench: &mut Bench, file: &str, from: &str, to: &str) -> (String, Vec<&'
 
 const FILM: [&str; 3] = ["accumulate", "display", "path"];
 
-const TREE: [&str; 11] = [
+const TREE: [&str; 12] = [
     "bounds",
     "clear",
     "leaves",
@@ -27,6 +27,7 @@ const TREE: [&str; 11] = [
     "sort_plan",
     "sort_scan",
     "sort_scatter",
+    "treelets",
 ];
 
 #[test]
@@ -35,7 +36,7 @@ fn an_edit_restarts_what_depends_on_it_and_no_more() {
     let bench = &mut bench;
     let is_tree = |passes: &[&str]| {
         passes.iter().all(|pass| TREE.contains(pass) || pass.starts_with("sort"))
-            && ["bounds", "morton", "nodes"].iter().all(|pass| passes.contains(pass))
+            && ["bounds", "morton", "nodes", "treelets"].iter().all(|pass| passes.contains(pass))
     };
 
     let comment = after(bench, "shaders/lib/sampling.wgsl", "// Cosine-weighted", "// Weighted by the cosine");
