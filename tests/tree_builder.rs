@@ -128,7 +128,8 @@ fn edited_passes_are_run_in_place_of_the_twin() {
     let description = describe(&cloud(40, 0.8, |_, random| point(random)));
     let shipped = words(&mut open(TreeBuilder::Twin, Library::shipped(), &description));
     let edits = [
-        ("passes/tree/nodes", "return result;\n", "result.low += vec4<f32>(64.0);\n    return result;\n", false),
+        ("passes/tree/nodes", "return result;\n", "result.low += vec4<f32>(0.0);\n    return result;\n", true),
+        ("passes/tree/clusters", "].left = left.child;", "].left = right.child;", false),
         ("passes/tree/leaves", "leaves[leaf] = triangle;", "leaves[leaf] = triangles[leaf];", false),
         ("passes/morton/morton", "payload[index] = index;", "payload[index] = index + 0u;", true),
         ("passes/sort/digit", "fn digit_of(", "fn unused_here() {}\nfn digit_of(", true),

@@ -17,7 +17,7 @@ use crate::stress::scenes::rays::{direction, endless};
 
 pub static ROW: Row = Row {
     name: "far-thing",
-    holds: "with a thing, or a dome, 1e5 to 1e7 times the scene's size away, rays visit at most a fifth more nodes than trees by codes have without",
+    holds: "with a thing or a dome 1e5 to 1e7 times the scene's size away, rays visit at most a fifth more nodes than trees by codes without",
     quantity: "nodes visited, by what they may be",
     most: 1.0,
     unit: "rays",
