@@ -14,6 +14,7 @@ side = lambda t, l: t[0] == "side"
 flank = lambda t, l: t[0] == "side" or (t[0] == "top" and t[2] >= 3)
 upper = lambda t, l: t[0] == "top"
 nose = lambda t, l: t[0] == "top" and t[1] < 5
+hood = lambda t, l: t[0] == "top" and t[1] < 7 and t[2] < 4
 face = lambda t, l: t[0] == "front" or (t[0] == "side" and t[1] < 2) or (t[0] == "top" and t[1] < 1)
 around_front = lambda t, l: t[0] == "front" or (t[0] in ("side", "top") and t[1] < 3)
 around_rear = lambda t, l: t[0] == "rear" or (t[0] == "side" and t[1] > 11)
@@ -33,10 +34,10 @@ DAYLIGHT = [*curve([(.870, .786), (.690, .860), (.470, .944), (.220, 1.028), (.0
             *curve([(-.662, .850), (-.470, .834), (-.230, .809), (.070, .796), (.470, .783), (.770, .778)], 4)]
 REAR_WINDOW = mirrored([(0, -.420), (.34, -.435), (.375, -.480), (.335, -.750), (.30, -.775), (0, -.775)])
 # It ends ahead at the bumper, behind at the cowl.
-BONNET = mirrored([(0, 2.5), *curve([(.602, 2.5), (.596, 2.20), (.596, 1.98), (.600, 1.76), (.592, 1.54), (.600, 1.34), (.612, 1.20), (.614, 1.08), (.606, 1.00)], 5),
-                   *curve([(.574, .976), (.515, 1.022), (.430, 1.080), (.30, 1.122), (.16, 1.146), (0, 1.153)], 5)])
+BONNET = mirrored([(0, 2.5), *curve([(.602, 2.5), (.596, 2.20), (.596, 1.98), (.600, 1.76), (.592, 1.54), (.600, 1.34), (.610, 1.20), (.607, 1.10), (.592, 1.042)], 5),
+                   *curve([(.558, 1.006), (.512, 1.026), (.430, 1.080), (.30, 1.122), (.16, 1.146), (0, 1.153)], 5)])
 # Beside the bonnet it is as wide as between that and the glass, and ends round where the glass turns up.
-COWL = mirrored([(0, 1.170), *curve([(.16, 1.163), (.30, 1.139), (.440, 1.094), (.520, 1.040), (.566, .985)], 5), (.578, .930), (.560, .900), (.50, .88), (0, .88)])
+COWL = mirrored([(0, 1.170), *curve([(.16, 1.163), (.30, 1.139), (.440, 1.094), (.520, 1.048), (.562, 1.004), (.584, .950), (.588, .905), (.576, .872), (.548, .858)], 5), (.50, .86), (0, .86)])
 LAMP = [*curve([(.598, 2.092), (.700, 2.062), (.785, 1.988), (.838, 1.893), (.862, 1.785), (.864, 1.640)], 5)[:-1],
         *curve([(.864, 1.640), (.800, 1.735), (.732, 1.838), (.660, 1.960), (.598, 2.092)], 5)[:-1]]
 DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .44), (.865, .250), (.80, .163), (-.24, .163), (-.345, .250), (-.395, .43), (-.420, .60), (-.45, .78), (-.45, 1.4)]
@@ -102,8 +103,8 @@ def cut(skin):
     for z, y, r in ARCHES:
         skin.region("hole", circle((z, y), r), side)
     pick = lambda where, label: (lambda t, l: l == label and where(t, l))
-    skin.panel("bonnet", Outline(BONNET, TOP, .02), nose_or_cowl, GAP)
-    skin.region("cowl", Outline(COWL, TOP, .02), lambda t, l: nose_or_cowl(t, l) and l == "body" and t[1] > 2)
+    skin.panel("bonnet", Outline(BONNET, TOP, .02), hood, GAP)
+    skin.region("cowl", Outline(COWL, TOP, .02), lambda t, l: l == "body" and t[0] == "top" and 2 < t[1] < 8 and t[2] < 4)
     # Each takes what it covers of the one before, so that their gaps meet.
     skin.panel("bumper", bumper, around_front, GAP, ("body", "bonnet"))
     skin.panel("lamp", Outline(LAMP, TOP, .008), nose, GAP, ("body", "bonnet", "bumper"))
@@ -144,6 +145,3 @@ def cut_roughly(skin):
     for _ in range(4):
         weld(skin)
     mend(skin)
-
-
-nose_or_cowl = lambda t, l: t[0] == "top" and t[1] < 7 and t[2] < 4
