@@ -9,7 +9,7 @@ from surface import on_top
 
 # Of each wiper, seen from above as x and z: where its arm begins, and its blade's course.
 WIPERS = (((.330, 1.105), ((.300, 1.046), (.130, 1.072), (-.060, 1.072), (-.220, 1.060))),
-          ((-.130, 1.138), ((-.160, 1.066), (-.300, 1.040), (-.420, .990), (-.500, .915))))
+          ((-.130, 1.138), ((-.140, 1.068), (-.260, 1.050), (-.370, 1.014), (-.455, .952))))
 # How high arm and blade lie above the glass, and how thick they are.
 ARM, BLADE, ARM_SIZE, BLADE_SIZE = .012, .005, .0055, .0045
 
