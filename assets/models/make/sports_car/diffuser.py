@@ -1,9 +1,9 @@
-"""The diffuser: below the bumper a floor that rises towards the tail and ends in a rolled lip, and three straight fins under it."""
+"""The diffuser: below the bumper a floor that rises towards the tail and ends in a rolled lip, and upright fins between that and the bumper."""
 
 import numpy as np
 
 from mesh import joined, smooth
-from shapes import soft_loft
+from shapes import box
 from shell import both
 
 # The floor's run: z and y, from below the engine to the lip and back above it.
@@ -11,9 +11,9 @@ RUN = ((-1.50, .124), (-1.64, .130), (-1.78, .148), (-1.90, .178), (-2.00, .214)
 # How far ahead the tail lies at x, as it runs round to the corner; and half of the floor's width.
 CORNER = ((0, .25, .40, .55, .66, .745), (0, .016, .042, .082, .128, .19))
 HALF = .745
-FINS = (-.30, 0, .30)
-# Of a fin: half of its thickness, and its foot from front to rear as z and y.
-THICK, FOOT = .006, ((-1.62, .118), (-2.09, .190))
+FINS = (-.290, -.215, -.140, .140, .215, .290)
+# Of a fin: its size, where it ends in the middle of the car, and the height of its middle.
+FIN, FIN_REAR, FIN_MIDDLE = (.008, .130, .100), -2.100, .350
 
 
 def ahead(x):
@@ -33,16 +33,9 @@ def floor():
 
 
 def fin(x):
-    """A straight blade below the floor."""
-    rings = []
-    (front, low), (rear, high) = FOOT
-    for t in (0, .02, .5, .96, 1):
-        z = front + (rear - front) * t
-        y = low + (high - low) * t
-        top = np.interp(-z, [-a for a, _ in RUN[:6]], [b for _, b in RUN[:6]]) + .008
-        z += np.clip((-1.75 - z) / .3, 0, 1) * ahead(x)
-        rings.append([(x - THICK, top, z), (x + THICK, top, z), (x + THICK, y + .003, z), (x + THICK - .003, y, z), (x - THICK + .003, y, z), (x - THICK, y + .003, z)])
-    return soft_loft("fins", "trim_black", rings, 1)
+    """An upright blade between the lip and the bumper."""
+    rear = FIN_REAR + ahead(x)
+    return box("fins", "rim", (x, FIN_MIDDLE, rear + FIN[2] / 2), FIN, .003)
 
 
 def back(skin):

@@ -107,7 +107,7 @@ def bulkhead():
 
 
 def engine():
-    """What is seen of it between the slats of the lid: ribbed covers with a plenum between them, on a dark bed."""
+    """What is seen of it between the slats of the louvres: ribbed covers with a plenum between them, on a dark bed."""
     bed = box("engine_bed", "trim_black", (0, .66, -1.20), (.78, .04, .80), .01)
     plenum = [box("engine", "badge", (0, .765, -1.18), (.20, .07, .56), .025)]
     plenum += [box("engine", "badge", (side * .15, .755, z), (.16, .035, .045), .016) for side in (-1, 1) for z in np.linspace(-1.40, -.96, 6)]

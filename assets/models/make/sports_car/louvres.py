@@ -1,4 +1,4 @@
-"""The louvres of the engine lid: a frame around one opening, and slats in it that follow the lid, each a wing that falls towards its front."""
+"""The louvres of the engine cover: a frame around one opening, and slats in it that follow the deck, each a wing that falls towards its front."""
 
 import numpy as np
 
@@ -24,7 +24,7 @@ def half_width(z):
 
 
 def slat(skin, rear):
-    """One slat, whose rear edge lies at z, flush with the lid; its ends go on below the frame."""
+    """One slat, whose rear edge lies at z, flush with the deck; its ends go on below the frame."""
     points = []
     rows = np.linspace(-1, 1, 13)
     for across in rows:
@@ -39,7 +39,7 @@ def slat(skin, rear):
 
 
 def frame(skin):
-    """The slope that leads from the lid into the opening, and walls below it."""
+    """The slope that leads from the deck into the opening, and walls below it."""
     hole = Outline(LOUVRES, TOP, .035)
     slope = lambda p: -.001 - LOUVRE_DEPTH * np.clip(-hole(p) / LOUVRE_FRAME, 0, 1)
     return [both(skin.part("louvre_frame", "gloss_black", {"louvre_frame"}, offset=slope, fold=.006, into=(0, -1, 0))),

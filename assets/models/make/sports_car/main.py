@@ -30,6 +30,7 @@ import tail
 import textures
 import treeline
 import wheels
+import wipers
 
 # Textured materials whose parts have no coordinates of their own get them by the axis a face looks along.
 BOXED = {"leather": 5, "carbon": 30}
@@ -43,7 +44,7 @@ def main():
     panels.cut(skin)
     panels.cut_roughly(rough)
     parts = shell.all_parts(skin, rough) + lights.all_parts(whole) + tail.all_parts(skin, whole)
-    parts += louvres.all_parts(skin, whole) + diffuser.all_parts(skin) + skirt.all_parts(whole) + mirrors.all_parts()
+    parts += louvres.all_parts(skin, whole) + diffuser.all_parts(skin) + skirt.all_parts(whole) + mirrors.all_parts() + wipers.all_parts(whole)
     parts += lips.all_parts(skin) + chassis.all_parts() + wheels.wheels() + interior.all_parts()
     for part in parts:
         if part.uvs is None and part.material in BOXED:

@@ -1,4 +1,4 @@
-"""Where the body is cut: arches, doors, bonnet, bumpers, lids, windows, lamps, intakes. One table of outlines."""
+"""Where the body is cut: arches, doors, bonnet, bumpers, windows, lamps, intakes. One table of outlines."""
 
 import numpy as np
 
@@ -14,6 +14,7 @@ side = lambda t, l: t[0] == "side"
 flank = lambda t, l: t[0] == "side" or (t[0] == "top" and t[2] >= 3)
 upper = lambda t, l: t[0] == "top"
 nose = lambda t, l: t[0] == "top" and t[1] < 5
+hood = lambda t, l: t[0] == "top" and t[1] < 7 and t[2] < 4
 face = lambda t, l: t[0] == "front" or (t[0] == "side" and t[1] < 2) or (t[0] == "top" and t[1] < 1)
 around_front = lambda t, l: t[0] == "front" or (t[0] in ("side", "top") and t[1] < 3)
 around_rear = lambda t, l: t[0] == "rear" or (t[0] == "side" and t[1] > 11)
@@ -32,11 +33,11 @@ QUARTER = [*curve([(-.386, 1.036), (-.510, .994), (-.620, .946), (-.692, .912)],
 DAYLIGHT = [*curve([(.870, .786), (.690, .860), (.470, .944), (.220, 1.028), (.020, 1.071), (-.190, 1.079), (-.350, 1.060), (-.530, 1.000), (-.715, .914)], 4),
             *curve([(-.662, .850), (-.470, .834), (-.230, .809), (.070, .796), (.470, .783), (.770, .778)], 4)]
 REAR_WINDOW = mirrored([(0, -.420), (.34, -.435), (.375, -.480), (.335, -.750), (.30, -.775), (0, -.775)])
-LID = mirrored([(0, -.385), (.39, -.405), (.445, -.52), (.405, -.90), (.375, -1.35), (.405, -1.74), (.365, -1.80), (0, -1.80)])
 # It ends ahead at the bumper, behind at the cowl.
-BONNET = mirrored([(0, 2.5), *curve([(.602, 2.5), (.596, 2.20), (.596, 1.98), (.600, 1.76), (.592, 1.54), (.600, 1.34), (.616, 1.20), (.616, 1.13), (.590, 1.085)], 5),
-                   *curve([(.530, 1.090), (.420, 1.128), (.20, 1.158), (0, 1.165)], 5)])
-COWL = mirrored([(0, 1.3), *curve([(.610, 1.3), (.608, 1.09), (.604, 1.03), (.588, .95), (.566, .87), (.548, .80)], 5), (0, .80)])
+BONNET = mirrored([(0, 2.5), *curve([(.602, 2.5), (.596, 2.20), (.596, 1.98), (.600, 1.76), (.592, 1.54), (.600, 1.34), (.610, 1.20), (.607, 1.10), (.592, 1.042)], 5),
+                   *curve([(.558, 1.006), (.512, 1.026), (.430, 1.080), (.30, 1.122), (.16, 1.146), (0, 1.153)], 5)])
+# Beside the bonnet it is as wide as between that and the glass, and ends round where the glass turns up.
+COWL = mirrored([(0, 1.170), *curve([(.16, 1.163), (.30, 1.139), (.440, 1.094), (.520, 1.048), (.562, 1.004), (.584, .950), (.588, .905), (.576, .872), (.548, .858)], 5), (.50, .86), (0, .86)])
 LAMP = [*curve([(.598, 2.092), (.700, 2.062), (.785, 1.988), (.838, 1.893), (.862, 1.785), (.864, 1.640)], 5)[:-1],
         *curve([(.864, 1.640), (.800, 1.735), (.732, 1.838), (.660, 1.960), (.598, 2.092)], 5)[:-1]]
 DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .44), (.865, .250), (.80, .163), (-.24, .163), (-.345, .250), (-.395, .43), (-.420, .60), (-.45, .78), (-.45, 1.4)]
@@ -57,11 +58,11 @@ CORNER = .018
 # How wide the frame of such an intake is, and how deep it leads.
 FRAME, FUNNEL = .014, .022
 # The band of light across the tail, and how deep the walls go behind its lens.
-TAIL_LAMP, LAMP_DEPTH = mirrored([(0, .782), (.45, .780), (.64, .773), (.772, .757), (.786, .742), (.772, .726), (.64, .716), (.45, .714), (0, .714)]), .050
+TAIL_LAMP, LAMP_DEPTH = mirrored([(0, .780), (.45, .778), (.64, .771), (.788, .759), (.788, .722), (.64, .716), (.45, .714), (0, .714)]), .050
 # The lower edge of the rear bumper.
 DIFFUSER = mirrored([(0, .402), (.58, .400), *curve([(.66, .392), (.715, .362), (.752, .310), (.775, .250)], 5), (.780, .05), (0, .05)])
 HANDLE = [(-.155, .700), (-.335, .713), (-.347, .700), (-.335, .687), (-.155, .674), (-.143, .687)]
-# The opening of the engine lid, how wide and how deep the slope is that leads into it.
+# The opening of the louvres, how wide and how deep the slope is that leads into it.
 LOUVRES = mirrored([(0, -.838), (.348, -.848), (.326, -1.05), (.318, -1.35), (.338, -1.690), (0, -1.700)])
 LOUVRE_FRAME, LOUVRE_DEPTH = .016, .012
 
@@ -102,20 +103,19 @@ def cut(skin):
     for z, y, r in ARCHES:
         skin.region("hole", circle((z, y), r), side)
     pick = lambda where, label: (lambda t, l: l == label and where(t, l))
-    skin.panel("bonnet", Outline(BONNET, TOP, .02), nose_or_cowl, GAP)
-    skin.region("cowl", Outline(COWL, TOP, .02), lambda t, l: nose_or_cowl(t, l) and l == "body" and t[1] > 2)
+    skin.panel("bonnet", Outline(BONNET, TOP, .02), hood, GAP)
+    skin.region("cowl", Outline(COWL, TOP, .02), lambda t, l: l == "body" and t[0] == "top" and 2 < t[1] < 8 and t[2] < 4)
     # Each takes what it covers of the one before, so that their gaps meet.
     skin.panel("bumper", bumper, around_front, GAP, ("body", "bonnet"))
     skin.panel("lamp", Outline(LAMP, TOP, .008), nose, GAP, ("body", "bonnet", "bumper"))
     skin.panel("door", Outline(DOOR, SIDE, (0, .06, .1, .15, .08, .07, .07, .08, .1, .1, .06, 0)), flank, GAP)
     skin.panel("tail_bumper", Outline(REAR_BUMPER, SIDE, (0, .05, .1, 0, 0, 0)), around_rear, GAP)
-    skin.panel("lid", Outline(LID, TOP, .05), deck, GAP)
     glass = Outline(REAR_WINDOW, TOP, .03)
-    skin.region("rear_window_seal", glass, pick(deck, "lid"))
+    skin.region("rear_window_seal", glass, pick(deck, "body"))
     skin.region("rear_window_frit", glass, pick(deck, "rear_window_seal"), -.007)
     skin.region("rear_window", glass, pick(deck, "rear_window_frit"), -.028)
     louvres = Outline(LOUVRES, TOP, .035)
-    skin.region("louvre_frame", louvres, pick(deck, "lid"))
+    skin.region("louvre_frame", louvres, pick(deck, "body"))
     skin.region("louvre_bay", louvres, pick(deck, "louvre_frame"), -LOUVRE_FRAME)
     skin.region("intake", Outline(INTAKE, SIDE, INTAKE_CORNERS), pick(side, "body"))
     skin.panel("handle", Outline(HANDLE, SIDE, .010), flank, GAP * .8, ("door",))
@@ -125,7 +125,7 @@ def cut(skin):
         skin.region(name, hole, pick(face, name + "_frame"))
         for y in bars:
             skin.region(name + "_bar", lambda p: np.abs(p[:, 1] - y - .05 * (p[:, 0] > .45) * (p[:, 0] - .45)) - .006, pick(face, name))
-    skin.panel("tail_lamp", Outline(TAIL_LAMP, FRONT, .012), tail_wide, GAP)
+    skin.panel("tail_lamp", Outline(TAIL_LAMP, FRONT, .018), tail_wide, GAP)
     skin.region("diffuser", Outline(DIFFUSER, FRONT), pick(tail_wide, "tail_bumper"))
     for _ in range(2):
         skin.coarsen()
@@ -145,6 +145,3 @@ def cut_roughly(skin):
     for _ in range(4):
         weld(skin)
     mend(skin)
-
-
-nose_or_cowl = lambda t, l: t[0] == "top" and t[1] < 7 and t[2] < 4

@@ -3,8 +3,9 @@
 import numpy as np
 
 FRONT_AXLE, REAR_AXLE = 1.325, -1.325
-# Of each arch: where its axle is, its height, its radius, how far it flares, and how wide the flare runs out.
-FLARES = ((FRONT_AXLE, .337, .366, .030, .21), (REAR_AXLE, .354, .383, .027, .22))
+# Of each arch: where its axle is, its height, its radius, how far it flares, how wide the flare runs out, and how much more it is above the wheel and
+# behind it, where the body leans in.
+FLARES = ((FRONT_AXLE, .337, .366, .030, .21, .65, 0), (REAR_AXLE, .354, .383, .027, .22, 0, .55))
 
 
 def bump(x):
@@ -28,9 +29,10 @@ def sculpt(p):
     x, y, z = p.T
     side = step((x - .62) / .30)
     out = rocker(y, z) * (x > .7)
-    for centre, height, radius, flare, wide in FLARES:
-        r = np.hypot(z - centre, y - height)
-        out += side * flare * bump((r - radius) / wide) * (.7 + .3 * step((y - .12) / .15))
+    for centre, height, radius, flare, wide, above, behind in FLARES:
+        r = np.maximum(np.hypot(z - centre, y - height), 1e-9)
+        more = 1 + above * np.clip((y - height) / r, 0, 1) ** 2 + behind * np.clip((centre - z) / r, 0, 1) ** 2
+        out += side * flare * more * bump((r - radius) / wide) * (.7 + .3 * step((y - .12) / .15))
     p = p.copy()
     p[:, 0] += out
     return p

@@ -8,7 +8,7 @@ from panels import CORNER, DEPTH, FRAME, FUNNEL, LIP, MOUTHS
 
 # Which way the intakes of the nose lead.
 BACK = (0, -.10, -1.0)
-PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "lid", "handle")
+PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "handle")
 
 
 def both(part, name=None):
@@ -66,9 +66,9 @@ def linings(rough):
     cards = rough.part("door_cards", "leather", {"body"}, offset=-.05, pick=doors)
     bay = rough.part("lid_inside", "gap_black", {"body"}, offset=-.045, pick=engine)
     mouth = lambda t: t[0] == "front"
-    # Straight back, below the bonnet, and a little in from the sides.
-    back = lambda far: (lambda p, n: p * (.955, 1, 1) + far * np.array(BACK))
-    mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, shift=back(.085), pick=mouth)), (0, 1), 14)
+    # Straight back, below the bonnet, and hardly in from the sides, so that it fills the openings.
+    back = lambda far: (lambda p, n: p * (.988, 1, 1) + far * np.array(BACK))
+    mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, shift=back(.048), pick=mouth)), (0, 1), 14)
     dark = both(rough.part("intake_back", "gap_black", {"body"}, shift=back(.14), pick=mouth))
     return [mesh, dark, both(lining.flipped()), both(posts.flipped()), both(cards.flipped()), both(bay)]
 
@@ -81,7 +81,7 @@ def mouths(skin):
         funnel = lambda p: -.002 - FUNNEL * (1 - np.clip(hole(p) / FRAME, 0, 1))
         row = [skin.part(name + "_frame", "paint", {name + "_frame"}, offset=funnel, fold=.02, lip=.005),
                skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-FUNNEL - .008, fold=.03, lip=.003, into=BACK),
-               skin.part(name + "_walls", "trim_black", {name, name + "_bar"}, offset=-FUNNEL, fold=.11, lip=.004, walls=True, into=BACK)]
+               skin.part(name + "_walls", "trim_black", {name, name + "_bar"}, offset=-FUNNEL, fold=.06, lip=.004, walls=True, into=BACK)]
         for part in row:
             out += [both(part)] if name == "centre_intake" else pair(part)
     return out

@@ -1,4 +1,4 @@
-"""The tail: one slim band of light behind a red lens, the name below it, the number plate on the bumper, and the exhausts."""
+"""The tail: one slim band of lights behind a red lens, the name below it, the number plate on the bumper, reflectors beside it, and the exhausts."""
 
 import numpy as np
 
@@ -6,34 +6,47 @@ from fields import fillet
 from letters import text
 from mesh import Part, joined, smooth, unit
 from panels import LAMP_DEPTH, LIP
-from shapes import oriented, plate, squared, sweep
+from shapes import box, oriented, plate, squared, sweep
 from shell import both, pair
 from surface import on_face
 
 # Which way the band's walls go.
 INTO = (0, 0, 1)
-# The light: how deep it lies behind the lens, its height, how far it reaches to the side, half of its own height, and how thick it is.
-BEHIND, LEVEL, REACH, TALL, THICK = .030, .748, .762, .010, .004
+# The lights: how deep they lie behind the lens, their height, how far they reach to the side, half of one's height, and how thick it is.
+BEHIND, LEVEL, REACH, TALL, THICK = .026, .747, .758, .013, .005
+# How many there are, and what part of the way to the next one is lit.
+LIGHTS, LIT = 44, .72
 # The number plate: its middle's height, and its size.
 PLATE = (.490, .50, .108)
 # The height of the name.
 NAME = .654
 # The pipes of one side: x of each and the z of its end; their height, and half of their width and height.
-PIPES, PIPE_HEIGHT, PIPE_SIZE = ((.440, -2.100), (.560, -2.070)), .350, (.052, .043)
+PIPES, PIPE_HEIGHT, PIPE_SIZE = ((.400, -2.116), (.506, -2.090)), .350, (.047, .041)
+# Of the dark bezel around both: its middle, half of its width and height, and from where to where it goes at each end in x.
+BEZEL, BEZEL_RUN = (.453, .112, .052), (-1.98, -2.070)
+# A reflector: its height, from where to where it goes, half as high, and how far it stands out.
+REFLECTOR, REFLECTOR_RUN, REFLECTOR_SIZE = .462, (.585, .700), (.0085, .004)
+# The reversing lamp above the diffuser: its middle, half of its width and height.
+REVERSE = (.346, -2.062, .075, .016)
 
 
-def light(whole):
-    """A flat strip of light, as the tail runs."""
-    path = np.array([on_face(whole, x, LEVEL - .010 * (x / REACH) ** 2, 0, -1)[0] + (0, 0, BEHIND) for x in np.linspace(-REACH, REACH, 41)])
+def lights(whole):
+    """A row of small flat lights, as the tail runs."""
+    xs = np.linspace(-REACH, REACH, 2 * LIGHTS + 1)
+    path = np.array([on_face(whole, x, LEVEL - .008 * (x / REACH) ** 2, 0, -1)[0] + (0, 0, BEHIND) for x in xs])
     path[1:-1] = (path[:-2] + 2 * path[1:-1] + path[2:]) / 4
-    return oriented(sweep("tail_strip", "tail_light", path, [(-THICK, -TALL), (THICK, -TALL), (THICK, TALL), (-THICK, TALL)], 30))
+    section = [(-THICK, -TALL), (THICK, -TALL), (THICK, TALL), (-THICK, TALL)]
+    row = []
+    for a, b, c in zip(path[:-2:2], path[1:-1:2], path[2::2]):
+        row.append(oriented(sweep("tail_strip", "tail_light", b + np.stack([(a - c), 0 * a, (c - a)]) * LIT / 2, section, 30)))
+    return joined("tail_strip", row)
 
 
 def lamp(skin, whole):
     lens = skin.part("tail_lens", "tail_lens", {"tail_lamp"}, offset=-.001, fold=.010, lip=LIP)
     walls = skin.part("tail_lamp_walls", "gloss_black", {"tail_lamp"}, offset=-.012, fold=LAMP_DEPTH, lip=LIP, walls=True, into=INTO)
     back = skin.part("tail_lamp_back", "gloss_black", {"tail_lamp"}, shift=lambda p, n: p + np.array(INTO) * LAMP_DEPTH)
-    return [both(lens), both(walls), both(back), light(whole)]
+    return [both(lens), both(walls), both(back), lights(whole)]
 
 
 def name(whole):
@@ -87,8 +100,41 @@ def exhausts():
     rows = [pipe(*at) for at in PIPES]
     sleeves = joined("exhaust", [row[0] for row in rows])
     inside = joined("exhaust_inside", [part for row in rows for part in row[1:]])
-    return pair(sleeves) + pair(inside)
+    return pair(sleeves) + pair(inside) + pair(bezel())
+
+
+def bezel():
+    """A short dark sleeve around both pipes, with a rolled edge; its outer side lies further ahead, as the tail does."""
+    middle, half, high = BEZEL
+    start, end = BEZEL_RUN
+    rows = ((start, 1), (end + .008, 1), (end + .002, .985), (end, .955), (end + .003, .925), (end + .012, .90), (start, .88))
+    loops = []
+    for z, wide in rows:
+        inset = half * (1 - wide)
+        u, v = squared(half - inset, high - inset, .6, 40)
+        loops.append(np.stack([middle + u, PIPE_HEIGHT + v, z + .20 * u], 1))
+    n = len(loops[0])
+    faces = [[i * n + k, (i + 1) * n + k, (i + 1) * n + (k + 1) % n, i * n + (k + 1) % n] for i in range(len(rows) - 1) for k in range(n)]
+    part = smooth("exhaust_bezel", "gloss_black", np.concatenate(loops), faces, 50)
+    return part if (part.points[faces[0]].mean(0) - part.points[:n].mean(0)) @ part.normals[part.corners[0][0]] > 0 else part.flipped()
+
+
+def reflectors(whole):
+    """A slim red bar on the bumper at each corner of the tail."""
+    path = np.array([on_face(whole, x, REFLECTOR, 0, -1)[0] for x in np.linspace(*REFLECTOR_RUN, 13)])
+    u, v = REFLECTOR_SIZE
+    section = [(-v, -u), (v * .4, -u), (v, -u * .6), (v, u * .6), (v * .4, u), (-v, u)]
+    width = np.interp(np.arange(13), (0, 1, 11, 12), (.45, 1, 1, .45))
+    sections = np.array(section)[None] * np.stack([np.ones(13), width], 1)[:, None]
+    return pair(oriented(sweep("reflector", "tail_reflector", path, sections, 30)))
+
+
+def reverse():
+    """One clear lens in a dark frame."""
+    y, z, half, high = REVERSE
+    frame = box("reverse_frame", "gloss_black", (0, y, z + .012), (2 * half + .016, 2 * high + .014, .030), .006, 2)
+    return [frame, box("reverse_lamp", "lamp_glow", (0, y, z), (2 * half, 2 * high, .014), .004, 2)]
 
 
 def all_parts(skin, whole):
-    return lamp(skin, whole) + [name(whole)] + number(whole) + exhausts()
+    return lamp(skin, whole) + [name(whole)] + number(whole) + reflectors(whole) + reverse() + exhausts()

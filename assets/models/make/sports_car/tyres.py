@@ -7,10 +7,10 @@ from mesh import joined
 from shapes import lathe
 
 # How many slots go round, and where a slot begins, is deepest and ends, as parts of the way to the next.
-PITCH = 28
-SLOT = (0, .05, .20, .25)
+PITCH = 36
+SLOT = (0, .03, .11, .14)
 # Grooves round the tread: where, as part of half the width; half as wide, and as deep.
-GROOVES, WIDE, DEEP = (.62, .21, -.21, -.62), .0058, .0080
+GROOVES, WIDE, DEEP = (.62, .21, -.21, -.62), .0048, .0065
 # How many steps the sidewalls are turned in.
 STEPS = 64
 
@@ -45,9 +45,10 @@ def cut(half, radius):
     inside = (place == 1) | (place == 2)
 
     def bend(x, r, turn):
-        shoulder = (np.abs(x) > half * .66) & (r > radius - .012)
+        # Towards the sidewall they run out.
+        shoulder = (np.abs(x) > half * .66) * np.interp(r, (radius - .0105, radius - .0050), (0, 1))
         rib = (np.abs(np.abs(x) - half * .42) < half * .16) & (r > radius - .003)
-        return x, r - np.where(inside, .0075 * shoulder + .0050 * rib, 0)
+        return x, r - np.where(inside, .0035 * shoulder + .0028 * rib, 0)
 
     return bend
 

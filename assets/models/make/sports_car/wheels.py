@@ -9,7 +9,7 @@ from shapes import lathe, oriented, turned
 
 # Half of the width, radius of the tyre, radius of the rim's edge.
 FRONT_WHEEL = (.1225, .340, .2595)
-REAR_WHEEL = (.1575, .357, .271)
+REAR_WHEEL = (.1525, .357, .271)
 
 
 def brake(half, rim, big):
@@ -56,6 +56,6 @@ def wheel(kind, name, at, side, steer=0.0):
 def wheels():
     out = []
     for side, word in ((1, "left"), (-1, "right")):
-        out += wheel(FRONT_WHEEL, "front_" + word, (side * .864, .329, 1.325), side)
-        out += wheel(REAR_WHEEL, "rear_" + word, (side * .842, .346, -1.325), side)
+        out += wheel(FRONT_WHEEL, "front_" + word, (side * .832, .329, 1.325), side)
+        out += wheel(REAR_WHEEL, "rear_" + word, (side * .810, .346, -1.325), side)
     return out
