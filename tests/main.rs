@@ -1,7 +1,6 @@
 //! The one test crate: linking wgpu once is quick, twenty times is not. A module a pass or a layer.
 
 mod adaptive;
-mod alias;
 mod alone;
 mod animate;
 mod audit;
@@ -9,6 +8,7 @@ mod bands;
 mod bench;
 mod bsdf;
 mod camera;
+mod cdf;
 mod circles;
 mod cli;
 mod coat;

@@ -102,7 +102,7 @@ fn an_array_that_is_too_large_says_what_to_make_smaller() {
     let limit = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
     for (name, word, bytes) in [
         ("sky", "smaller picture of the environment", 16),
-        ("sky_columns", "smaller picture of the environment", 8),
+        ("sky_cdf", "smaller picture of the environment", 8),
         ("film", "smaller film", size_of::<lucerna::layout::film::FilmPixel>() as u64),
         ("picture", "smaller film", 4),
         ("triangles", "fewer triangles", size_of::<lucerna::layout::tree::Triangle>() as u64),

@@ -112,7 +112,7 @@ fn a_turned_sky_makes_and_sends_no_table() {
     let (_, uploads) = after(&mut engine, |world| {
         world.spawn((Name::new("sky"), sky));
     });
-    assert!(uploads.contains_key("sky") && uploads.contains_key("sky_columns"), "{uploads:?}");
+    assert!(uploads.contains_key("sky") && uploads.contains_key("sky_cdf"), "{uploads:?}");
     let before = engine.film().unwrap();
     let turned = map(Vec3::ONE, DMat3::from_rotation_x(1.0));
     let (entered, uploads) = after(&mut engine, |world| change::<Environment>(world, |sky| *sky = turned.clone()));

@@ -74,14 +74,14 @@ probe!(
     "draw_keys_of_sky",
     Binding::write("probed", "array<vec4<f32>>"),
     Binding::read("sky", "array<vec4<f32>>"),
-    Binding::read("sky_columns", "array<AliasColumn>")
+    Binding::read("sky_cdf", "array<CdfEntry>")
 );
 probe!(LOOK, "look_at_sky", Binding::write("probed", "array<vec4<f32>>"), Binding::read("sky", "array<vec4<f32>>"));
 probe!(
     COUNT,
     "count_pixels",
     Binding::write("counts", "array<atomic<u32>>"),
-    Binding::read("sky_columns", "array<AliasColumn>")
+    Binding::read("sky_cdf", "array<CdfEntry>")
 );
 
 fn params_of(sky: &SkyTable) -> TraceParams {
@@ -95,7 +95,7 @@ fn rig(library: Library, sky: &SkyTable) -> Runtime {
     let mut rig = Runtime::new(support::gpu(), library.with("tests/sky", PROBE));
     rig.set_features(&["sky_light"]);
     rig.upload("sky", &sky.cells).unwrap();
-    rig.upload("sky_columns", &sky.columns).unwrap();
+    rig.upload("sky_cdf", &sky.cdf).unwrap();
     rig
 }
 
@@ -273,7 +273,7 @@ fn an_error_of_three_percent_is_seen() {
     let z = surprise(Library::shipped(), &sky, tilted);
     assert!(z > 2.0 * CHI_SQUARE_LIMIT, "a density wrong by 3 % passes: {z}");
     for (module, right, wrong) in [
-        ("passes/trace/sky", "(pick.rest < column.threshold)", "(pick.rest < 1.03 * column.threshold)"),
+        ("passes/trace/sky", "(u < sky_cdf[first + middle].end)", "(u < 1.03 * sky_cdf[first + middle].end)"),
         ("lib/sky", "mix(upper * upper, lower * lower, u.y)", "pow(mix(upper, lower, u.y), 2.0)"),
         ("lib/sky", "(f32(cell.x) + u.x)", "(f32(cell.x) + 0.97 * u.x)"),
     ] {
@@ -341,7 +341,7 @@ fn paths_under_a_sky_equal_the_f64_twin() {
     let room = outdoors(true);
     for (module, right, wrong) in [
         ("passes/trace/sky", "luminance(radiance) * density", "1.03 * luminance(radiance) * density"),
-        ("passes/trace/connect", "pick >= params.light_share", "pick >= 1.03 * params.light_share"),
+        ("passes/trace/connect", "u.x >= params.light_share", "u.x >= 1.03 * params.light_share"),
     ] {
         let failed = against_twin(&room, planted(module, right, wrong), &small(&room)).is_err();
         assert!(failed, "{wrong} in {module} went unnoticed");

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use super::alias::alias_pick;
+use super::cdf::{draw_index, left_over};
 use super::point::point_intensity;
 use super::sky::{draw_sky, sky_arriving};
 use super::sun::SunDisk;
@@ -45,23 +45,23 @@ pub struct LightSampler<'a> {
     pub point_density: f64,
     /// None without one; sampled if the sky is.
     pub sun: Option<SunDisk>,
-    /// Picks from `light_share` to this are of the sun.
+    /// Numbers from `light_share` to this are of the sun.
     pub sun_end: f64,
 }
 
 impl LightSampler<'_> {
-    /// Light at a position: `pick` chooses the light, `u` the point on it.
-    pub fn draw(&self, position: DVec3, pick: f64, u: DVec2) -> LightSample {
-        self.draw_bent(position, pick, u, |direction| direction)
+    /// Light at a position: `u` chooses the light, and what is left of it the point there.
+    pub fn draw(&self, position: DVec3, u: DVec2) -> LightSample {
+        self.draw_bent(position, u, |direction| direction)
     }
 
     /// The same in a direction that `bend` makes of the one that was drawn.
-    pub fn draw_bent(&self, position: DVec3, pick: f64, u: DVec2, bend: impl FnOnce(DVec3) -> DVec3) -> LightSample {
+    pub fn draw_bent(&self, position: DVec3, u: DVec2, bend: impl FnOnce(DVec3) -> DVec3) -> LightSample {
         match self.sky {
-            Some(sky) if self.lights.lights.is_empty() || pick >= self.light_share => {
+            Some(sky) if self.lights.lights.is_empty() || u.x >= self.light_share => {
                 let direction = match &self.sun {
-                    Some(sun) if pick < self.sun_end => sun.draw(u),
-                    _ => self.sky_turn * draw_sky(sky, u).direction,
+                    Some(sun) if u.x < self.sun_end => sun.draw(within(u, self.light_share, self.sun_end)),
+                    _ => self.sky_turn * draw_sky(sky, within(u, self.sun_end, 1.0)).direction,
                 };
                 let direction = bend(direction);
                 let (radiance, pdf) = self.beyond(sky, direction);
@@ -75,7 +75,8 @@ impl LightSampler<'_> {
                     weights: [0.0; 2],
                 }
             }
-            _ => self.draw_light(position, pick / self.light_share, u, bend),
+            Some(_) => self.draw_light(position, within(u, 0.0, self.light_share), bend),
+            None => self.draw_light(position, u, bend),
         }
     }
 
@@ -101,12 +102,11 @@ impl LightSampler<'_> {
         }
     }
 
-    /// A light by its power, by one number, and a point of it, by two. There is at least one light.
-    fn draw_light(&self, position: DVec3, pick: f64, u: DVec2, bend: impl FnOnce(DVec3) -> DVec3) -> LightSample {
+    /// A light by its power, and a point of it. There is at least one light.
+    fn draw_light(&self, position: DVec3, u: DVec2, bend: impl FnOnce(DVec3) -> DVec3) -> LightSample {
         let lights = &self.lights.lights;
-        let (column, rest) = alias_pick(pick, lights.len());
-        let own = rest < f64::from(lights[column].threshold);
-        let row = if own { column } else { lights[column].other as usize };
+        let (row, rest) = draw_index(lights.len(), u.x, |index| (lights[index].end, lights[index].first));
+        let u = DVec2::new(rest, u.y);
         let light = &lights[row];
         if let Some(point) = light.point() {
             return LightSample { point: Some(row as u32), ..self.draw_point(&point, position, bend) };
@@ -149,6 +149,11 @@ impl LightSampler<'_> {
     fn area_pdf(&self, light: &LightRecord) -> f64 {
         f64::from(luminance(light.emission)) * f64::from(light.sides()) * self.light_density
     }
+}
+
+/// What is left of two numbers of which the first is from `start` to `end`.
+fn within(u: DVec2, start: f64, end: f64) -> DVec2 {
+    DVec2::new(left_over(u.x, start, end), u.y)
 }
 
 /// The density by solid angle of a direction of unit length that meets a light of normal `area_normal`, of any length, at a distance.

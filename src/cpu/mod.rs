@@ -1,10 +1,10 @@
 //! The twin of every pass on the CPU, by the same names; f64 where rounding would hide a mistake.
 
-pub mod alias;
 pub mod allocation;
 pub mod bounds;
 pub mod bsdf;
 pub mod camera;
+pub mod cdf;
 pub mod connect;
 pub mod display;
 pub mod film;

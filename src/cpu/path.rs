@@ -116,8 +116,8 @@ impl PathScene<'_> {
                 break;
             }
             let first = bounce * DIMENSIONS_PER_BOUNCE;
-            let choices = self.sampler.sample_4d(key, first + SLOT_CHOICES);
-            let [light, lobe, roulette, _] = choices.to_array().map(|u| watch.number(u));
+            let choices = self.sampler.sample_2d(key, first + SLOT_CHOICES);
+            let [lobe, roulette] = choices.to_array().map(|u| watch.number(u));
             let point = self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT);
             let surface =
                 self.textures.textured(Reflection::from(material), &texturing.maps, texturing.point, texturing.colours);
@@ -130,9 +130,9 @@ impl PathScene<'_> {
                 let radiance = DVec3::ZERO;
                 lent_point = Some(LentPoint { position, triangle, geometric, normal, radiance, chance, weight });
             }
-            let connection = sampler.as_ref().map(|sampler| {
-                self.connect(sampler, &surface, &frame, position, (light, point, texturing.others.z), watch)
-            });
+            let connection = sampler
+                .as_ref()
+                .map(|sampler| self.connect(sampler, &surface, &frame, position, (point, texturing.others.z), watch));
             if let Some(light) = connection.filter(Connection::adds) {
                 let seen_as = (&surface, &frame);
                 let parts = lending.parts_of(throughput, seen_as, light.from.direction, light.value, 1.0);

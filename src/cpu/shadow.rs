@@ -47,10 +47,10 @@ impl PathScene<'_> {
         surface: &Reflection,
         frame: &ShadingFrame,
         position: DVec3,
-        (pick, point, texel): (f64, DVec2, f64),
+        (point, texel): (DVec2, f64),
         watch: &mut impl Observer,
     ) -> Connection {
-        let mut from = sampler.draw_bent(position, pick, point, |direction| watch.unit(direction));
+        let mut from = sampler.draw_bent(position, point, |direction| watch.unit(direction));
         if let Some(triangle) = from.triangle {
             let material = self.materials_of[triangle as usize];
             let maps = self.textures.maps(material);

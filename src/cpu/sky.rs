@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3, UVec2};
 
-use super::alias::alias_pick;
-use crate::layout::alias::AliasColumn;
+use super::cdf::draw_index;
+use crate::layout::cdf::CdfEntry;
 use crate::layout::sky::SkyTable;
 use crate::layout::trace::luminance;
 
@@ -46,7 +46,7 @@ pub fn sky_arriving(sky: &SkyTable, direction: DVec3) -> (DVec3, f64) {
 
 /// A direction by two numbers in [0, 1): a row, then a pixel of the row, then a place in the pixel.
 pub fn draw_sky(sky: &SkyTable, u: DVec2) -> SkySample {
-    let (rows, pixels) = sky.columns.split_at(sky.size.y as usize);
+    let (rows, pixels) = sky.cdf.split_at(sky.size.y as usize);
     let (row, down) = draw_column(rows, u.y);
     let first = (row * sky.size.x) as usize;
     let (column, across) = draw_column(&pixels[first..first + sky.size.x as usize], u.x);
@@ -60,9 +60,8 @@ fn at_cell(sky: &SkyTable, cell: UVec2) -> (DVec3, f64) {
     (radiance.as_dvec3(), f64::from(luminance(radiance)) / sky.power)
 }
 
-/// An index drawn from an alias table, and what is left of the uniform number.
-fn draw_column(table: &[AliasColumn], u: f64) -> (u32, f64) {
-    let (index, rest) = alias_pick(u, table.len());
-    let (threshold, other) = (f64::from(table[index].threshold), table[index].other);
-    if rest < threshold { (index as u32, rest / threshold) } else { (other, (rest - threshold) / (1.0 - threshold)) }
+/// An index drawn from a table, and what is left of the uniform number.
+fn draw_column(table: &[CdfEntry], u: f64) -> (u32, f64) {
+    let (index, rest) = draw_index(table.len(), u, |index| (table[index].end, table[index].first));
+    (index as u32, rest)
 }

@@ -1,6 +1,6 @@
 //! What is known of a ray of a path, in f64: noted by the twin, or read from what the kernel kept.
 
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DVec2, DVec3};
 
 use super::bsdf::{BsdfSample, BsdfValue, ShadingFrame};
 use super::connect::LightSample;
@@ -80,7 +80,7 @@ pub struct SurfaceSeen {
     pub shading: DVec3,
     pub back_face: bool,
     /// Random numbers: which light, which lobe, whether the path survives; the last is not used.
-    pub choices: DVec4,
+    pub choices: DVec2,
 }
 
 /// A light that was sampled.
@@ -168,7 +168,7 @@ impl Met {
 }
 
 impl SurfaceSeen {
-    pub fn of(position: DVec3, frame: &ShadingFrame, choices: DVec4) -> Self {
+    pub fn of(position: DVec3, frame: &ShadingFrame, choices: DVec2) -> Self {
         let ShadingFrame { shading, geometric, back_face, .. } = *frame;
         Self { position, geometric, shading, back_face, choices }
     }
@@ -235,7 +235,7 @@ impl From<&PathTurn> for Turn {
                 geometric: kept.geometric.as_dvec3(),
                 shading: kept.shading.as_dvec3(),
                 back_face: kept.back_face != 0,
-                choices: kept.choices.as_dvec4(),
+                choices: kept.choices.as_dvec2(),
             }),
             light: has(TURN_LIGHT).then(|| LightDrawn {
                 u: kept.light_u.as_dvec2(),

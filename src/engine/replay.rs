@@ -12,7 +12,7 @@ use crate::cpu::replay::{Sample, Verdict, judge};
 use crate::cpu::rng::Source;
 use crate::cpu::turn::{Turn, turns_of};
 use crate::gpu::{GpuTable, TableRow};
-use crate::layout::alias::AliasColumn;
+use crate::layout::cdf::CdfEntry;
 use crate::layout::light::{LightRecord, LightTable};
 use crate::layout::probe::{MOST_PROBED, PROBE_BOOL, PROBE_F32, PROBE_U32, PROBE_VEC2, PROBE_VEC3, Probed};
 use crate::layout::replay::{MOST_TURNS, PathTurn, Replayed};
@@ -250,8 +250,8 @@ fn sky_table(world: &World) -> Option<SkyTable> {
     let sky = world.resource::<Sky>();
     sky.source.as_ref()?;
     let cells: Vec<Vec4> = table::<SkyCell>(world).iter().map(|cell| cell.0).collect();
-    let columns = table::<AliasColumn>(world).to_vec();
-    Some(SkyTable { size: sky.size, cells, columns, power: sky.power, brightest: sky.brightest })
+    let cdf = table::<CdfEntry>(world).to_vec();
+    Some(SkyTable { size: sky.size, cells, cdf, power: sky.power, brightest: sky.brightest })
 }
 
 fn table<T: TableRow>(world: &World) -> &[T] {

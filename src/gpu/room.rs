@@ -1,6 +1,6 @@
 //! What to do about an array that a device has no room for: what of the scene it grows with, and how much of that there can be.
 
-use crate::layout::alias::AliasColumn;
+use crate::layout::cdf::CdfEntry;
 use crate::layout::film::{FilmPixel, RobustPixel};
 use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
@@ -27,7 +27,7 @@ enum Grows {
 fn growth(name: &str) -> Option<(Grows, usize)> {
     Some(match name {
         "sky" => (Grows::Sky, size_of::<glam::Vec4>()),
-        "sky_columns" => (Grows::Sky, size_of::<AliasColumn>()),
+        "sky_cdf" => (Grows::Sky, size_of::<CdfEntry>()),
         "film" => (Grows::Film, size_of::<FilmPixel>()),
         "blocks" => (Grows::Film, size_of::<RobustPixel>()),
         "gather_points" => (Grows::Film, size_of::<GatherPoint>()),

@@ -1,20 +1,20 @@
-//! Emitting triangles and point lights, behind an alias table over their power.
+//! Emitting triangles and point lights, drawn by the sums of their powers.
 
 use glam::Vec3;
 
 use super::ray::NO_HIT;
 
 gpu_struct! {
-    /// An emitting triangle, and the column of the alias table at its index.
+    /// An emitting triangle, and the entry of the table of sums at its index ([`super::cdf::CdfEntry`]).
     pub struct LightRecord {
         /// First corner, world space relative to the scene's origin.
         pub a: Vec3,
-        /// Where the column stands for this very light: below this remainder, 0 to 1.
-        pub threshold: f32,
+        /// Sum of the powers up to this light, of all together.
+        pub end: f32,
         /// Second corner.
         pub b: Vec3,
-        /// The light it stands for otherwise.
-        pub other: u32,
+        /// The first light that a number of this bucket may be for.
+        pub first: u32,
         /// Third corner.
         pub c: Vec3,
         /// Index of the triangle in scene order.
@@ -31,11 +31,11 @@ gpu_struct! {
         /// World space relative to the scene's origin.
         pub position: Vec3,
         /// As in [`LightRecord`].
-        pub threshold: f32,
+        pub end: f32,
         /// Where a spot shines, unit length; zero of a light that shines everywhere.
         pub axis: Vec3,
         /// As in [`LightRecord`].
-        pub other: u32,
+        pub first: u32,
         /// At which 1 - cos of the angle to the axis a spot's light is gone.
         pub fade_end: f32,
         /// By how much the part of it that is there grows for a unit of 1 - cos less, before it is smoothed.
@@ -53,8 +53,8 @@ gpu_struct! {
 const _: () = {
     use std::mem::offset_of;
     assert!(size_of::<PointLightRecord>() == size_of::<LightRecord>());
-    assert!(offset_of!(PointLightRecord, threshold) == offset_of!(LightRecord, threshold));
-    assert!(offset_of!(PointLightRecord, other) == offset_of!(LightRecord, other));
+    assert!(offset_of!(PointLightRecord, end) == offset_of!(LightRecord, end));
+    assert!(offset_of!(PointLightRecord, first) == offset_of!(LightRecord, first));
     assert!(offset_of!(PointLightRecord, triangle) == offset_of!(LightRecord, triangle));
 };
 

@@ -6,7 +6,7 @@
 #[macro_use]
 mod macros;
 pub mod adaptive;
-pub mod alias;
+pub mod cdf;
 pub mod clear;
 pub mod film;
 pub mod light;
@@ -40,7 +40,7 @@ pub static ALL: &[&StructLayout] = &[
     &ray::Ray::LAYOUT,
     &ray::Hit::LAYOUT,
     &ray::ExtendParams::LAYOUT,
-    &alias::AliasColumn::LAYOUT,
+    &cdf::CdfEntry::LAYOUT,
     &light::LightRecord::LAYOUT,
     &light::PointLightRecord::LAYOUT,
     &trace::MaterialRecord::LAYOUT,
@@ -103,7 +103,7 @@ pub static VECTORS: &[Vectors] = &[
 /// Every constant that WGSL can import from `package::gen`, module by module.
 pub static CONSTS: &[&[GpuConst]] = &[
     adaptive::CONSTS,
-    alias::CONSTS,
+    cdf::CONSTS,
     tree::CONSTS,
     probe::CONSTS,
     ray::CONSTS,

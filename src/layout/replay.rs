@@ -1,6 +1,6 @@
 //! A path that is replayed: what is kept of each of its rays.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec3};
 
 gpu_struct! {
     /// A ray of a path, and what came of it. World space relative to the scene's origin; radiance is linear Rec.709.
@@ -71,12 +71,13 @@ gpu_struct! {
         /// All that the pixel has so far; where a number went wrong, that.
         pub radiance: Vec3,
         pub pad0: u32,
-        /// Random numbers: which light, which lobe, whether the path survives.
-        pub choices: Vec4,
-        /// And the point on the light.
+        /// Random numbers: which lobe, and whether the path survives.
+        pub choices: Vec2,
+        /// And which light, with the point on it.
         pub light_u: Vec2,
         /// And the direction.
         pub drawn_u: Vec2,
+        pub pad1: Vec2,
     }
 
     /// What a path that is replayed comes to.

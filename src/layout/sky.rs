@@ -1,11 +1,11 @@
-//! The environment's pixels, and the alias tables by which a direction is drawn: a row of the picture, then a pixel of the row. And the
+//! The environment's pixels, and the tables by which a direction is drawn: a row of the picture, then a pixel of the row. And the
 //! sun, which is no pixel.
 
 use std::f64::consts::PI;
 
 use glam::{UVec2, Vec3, Vec4};
 
-use super::alias::AliasColumn;
+use super::cdf::CdfEntry;
 
 /// An environment as the kernel reads it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,8 +14,8 @@ pub struct SkyTable {
     pub size: UVec2,
     /// Row by row from the top: radiance, linear Rec.709; w is 0.
     pub cells: Vec<Vec4>,
-    /// A column a row of the picture, then a column a pixel, whose aliases are columns of the picture.
-    pub columns: Vec<AliasColumn>,
+    /// An entry a row of the picture, then an entry a pixel, of each row by itself.
+    pub cdf: Vec<CdfEntry>,
     /// Integral of the luminance over the sphere, by solid angle; 0 where it is so little that 1 / power is beyond f32, so that no
     /// direction can be drawn.
     pub power: f64,

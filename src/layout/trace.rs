@@ -242,9 +242,9 @@ gpu_consts! {
     pub const DIMENSIONS_PER_BOUNCE: u32 = 8;
     /// Where a sample lies in its pixel, 2D, of bounce 0: the camera's direction.
     pub const SLOT_FILM: u32 = 0;
-    /// The point on a light, 2D.
+    /// Which light, and the point on it, 2D.
     pub const SLOT_LIGHT_POINT: u32 = 2;
-    /// Which light, which lobe of the BSDF, and whether the path survives: 4D, the last not used.
+    /// Which lobe of the BSDF, and whether the path survives: 2D, in a group of their own.
     pub const SLOT_CHOICES: u32 = 4;
     /// The direction that a bounce draws, 2D: in the group of the next bounce's light.
     pub const SLOT_DIRECTION: u32 = 8;

@@ -22,7 +22,7 @@ pub const TRACED: [Binding; 21] = Binding::list::<21>(&[
         Binding::read("shading", "array<Shading>").when(&["normals"]),
         Binding::read("lights", "array<vec4<u32>>").when(&["lights"]),
         Binding::read("sky", "array<vec4<f32>>").when(&["sky", "sky_light"]),
-        Binding::read("sky_columns", "array<AliasColumn>").when(&["sky_light"]),
+        Binding::read("sky_cdf", "array<CdfEntry>").when(&["sky_light"]),
     ],
     &texture_bindings(TEXTURED),
     &[

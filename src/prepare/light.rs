@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::alias::alias_table;
+use super::cdf::cdf_table;
 use crate::layout::light::{LightRecord, LightTable, PointLightRecord};
 use crate::layout::trace::{MATERIAL_ONE_SIDED, MaterialRecord, luminance};
 use crate::layout::tree::Triangle;
@@ -31,8 +31,8 @@ impl LightTable {
             lights.push(LightRecord::from(*point));
             powers.push(f64::from(point.power));
         }
-        for (light, column) in lights.iter_mut().zip(alias_table(&powers)) {
-            (light.threshold, light.other) = (column.threshold, column.other);
+        for (light, entry) in lights.iter_mut().zip(cdf_table(&powers)) {
+            (light.end, light.first) = (entry.end, entry.first);
         }
         let density = (1.0 / powers.iter().sum::<f64>()) as f32;
         match lights.is_empty() || !density.is_finite() {

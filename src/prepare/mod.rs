@@ -1,7 +1,7 @@
 //! Components to the records and parameters that the device reads: pure functions, which know components and layout alone.
 
-pub mod alias;
 pub mod camera;
+pub mod cdf;
 pub mod daylight;
 pub mod light;
 pub mod lighting;

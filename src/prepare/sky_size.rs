@@ -4,14 +4,14 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, UVec2, Vec3};
 
-use crate::layout::alias::AliasColumn;
+use crate::layout::cdf::CdfEntry;
 
 /// How often the sides of a picture of so many pixels are halved until its pixels, and the columns that directions are drawn by, take at most
 /// `room` bytes each.
 pub fn halvings_of_sky(size: UVec2, room: u64) -> u32 {
     let fits = |halvings: &u32| {
         let size = halved(size, *halvings).as_u64vec2();
-        let bytes = [16 * size.element_product(), size_of::<AliasColumn>() as u64 * (size.x + 1) * size.y];
+        let bytes = [16 * size.element_product(), size_of::<CdfEntry>() as u64 * (size.x + 1) * size.y];
         bytes.into_iter().all(|bytes| bytes <= room)
     };
     (0..32).find(fits).unwrap_or(0)

@@ -10,7 +10,7 @@ use super::run::counted;
 use crate::components::Film;
 use crate::cpu::allocation::Grid;
 use crate::gpu::{GpuTable, TableRow};
-use crate::layout::alias::AliasColumn;
+use crate::layout::cdf::CdfEntry;
 use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
 use crate::layout::trace::{MaterialRecord, Shading};
@@ -24,7 +24,7 @@ const TABLES: [Table; 12] = [
     Table::of::<MaterialRecord>(),
     Table::of::<LightRecord>(),
     Table::of::<SkyCell>(),
-    Table::of::<AliasColumn>(),
+    Table::of::<CdfEntry>(),
     Table::of::<TextureRecord>(),
     Table::of::<Texel>(),
     Table::of::<MaterialMaps>(),

@@ -109,7 +109,7 @@ fn the_process_knows_its_peak() {
 
 /// Bytes of an element of each array that grows, by the code.
 fn elements() -> Vec<(&'static str, usize)> {
-    use lucerna::layout::{alias, light, texture, trace, tree};
+    use lucerna::layout::{cdf, light, texture, trace, tree};
     vec![
         ("film", size_of::<FilmPixel>()),
         ("picture", 4),
@@ -134,7 +134,7 @@ fn elements() -> Vec<(&'static str, usize)> {
         ("materials", size_of::<trace::MaterialRecord>()),
         ("lights", size_of::<light::LightRecord>()),
         ("sky", size_of::<glam::Vec4>()),
-        ("sky_columns", size_of::<alias::AliasColumn>()),
+        ("sky_cdf", size_of::<cdf::CdfEntry>()),
         ("texels", 4),
     ]
 }

@@ -126,14 +126,14 @@ pub const RIGHT: &[Edit] = &[
         &[
             change(
                 PATH,
-                "connect(params, *state, surface, choices.light,",
-                "connect(params, *state, surface, fract(2.0 * choices.light),",
+                "connect(params, *state, surface, point,",
+                "connect(params, *state, surface, vec2<f32>(fract(2.0 * point.x), point.y),",
             ),
             change(
                 PATH,
-                "point, choices.texel);",
-                "point, choices.texel);
-            shaded.connection.light *= select(0.0, 2.0, choices.light < 0.5);",
+                "point.y), choices.texel);",
+                "point.y), choices.texel);
+            shaded.connection.light *= select(0.0, 2.0, point.x < 0.5);",
             ),
         ],
     ),

@@ -1,6 +1,6 @@
 //! The struct that the kernel keeps of each ray, and what is read of it.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec3};
 use lucerna::cpu::turn::{RayKind, turns_of};
 use lucerna::layout::ray::NO_HIT;
 use lucerna::layout::replay::{
@@ -33,7 +33,7 @@ fn what_is_not_done_is_not_there() {
         triangle: 7,
         done,
         light_triangle: 3,
-        choices: Vec4::splat(0.5),
+        choices: Vec2::splat(0.5),
         drawn_u: Vec2::new(0.25, 0.75),
         drawn_weight: Vec3::ONE,
         drawn_pdf: 2.0,

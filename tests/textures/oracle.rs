@@ -168,9 +168,9 @@ fn holes_and_mapped_lamps_equal_the_oracle() {
     let films = ours(&mut engine, &scene, leaves::COLUMNS, spp);
     let wrong = differences(&films, &rights);
     assert!(wrong.is_empty(), "{wrong:#?}");
-    // Behind ten layers the noise of these few samples hides a percent, and three are seen.
-    let all = leaves::COLUMNS * leaves::COLUMNS;
-    assert!(seeing(1.01, &films, &rights, "leaves") >= all - 1);
+    // Behind ten layers, or a coloured sheet, the noise of few samples may hide a percent, and three are seen.
+    let (all, hidden) = (leaves::COLUMNS * leaves::COLUMNS, if support::stress() { 1 } else { 2 });
+    assert!(seeing(1.01, &films, &rights, "leaves") >= all - hidden);
     assert_eq!(seeing(1.03, &films, &rights, "leaves"), all);
     // Light that is found by chance is noisy: without many samples, a percent shows in the whole picture alone.
     let films = by_bsdf(&leaves(render(Integrator::Bsdf)), leaves::COLUMNS, spp);

@@ -3,7 +3,9 @@
 import package::gen::{TraceParams, NO_HIT};
 @if(lights && point_lights) import package::gen::{PointLightRecord, unpack_point_light_record};
 @if(lights) import package::gen::{LIGHT_RECORD_STRIDE, LightRecord, MATERIAL_ONE_SIDED, MaterialRecord, unpack_light_record};
-@if(lights) import package::lib::alias::{alias_pick};
+@if(lights) import package::gen::{LIGHT_RECORD_END, LIGHT_RECORD_FIRST, light_record_end, light_record_first};
+@if(lights) import package::lib::cdf::{bucket_of, count_buckets};
+@if(sky_light || lights) import package::lib::cdf::{left_over};
 @if(lights) import package::lib::intersect::{triangle_normal};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point, light_weights};
@@ -92,13 +94,51 @@ fn draw_point(params: TraceParams, position: vec3<f32>, light: PointLightRecord)
     return LightSample(direction, pdf, point_intensity(light, -direction), NO_HIT, light.position, BEFORE_POINT);
 }
 
-// A light of the table by its power, from one number. With n lights that leaves 24 - log2 n bits to choose between a column and its
-// alias: the share of a column is off by 2^-25 n of itself at most, up or down by chance.
 @if(lights)
-fn draw_from_table(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>, texel: f32) -> LightSample {
-    let drawn = alias_pick(pick, params.lights);
-    let column = load_light(drawn.column);
-    let index = select(column.other, drawn.column, drawn.rest < column.threshold);
+fn light_end(index: u32) -> f32 {
+    return light_record_end(lights[LIGHT_RECORD_STRIDE * index + LIGHT_RECORD_END]);
+}
+
+@if(lights)
+fn light_first(bucket: u32) -> u32 {
+    return light_record_first(lights[LIGHT_RECORD_STRIDE * bucket + LIGHT_RECORD_FIRST]);
+}
+
+// A light of the table by its power, and what is left of the number. Its probability is off by 2^-25 at most, up or down by chance.
+@if(lights)
+struct LightPick {
+    index: u32,
+    rest: f32,
+}
+
+@if(lights)
+fn pick_light(params: TraceParams, u: f32) -> LightPick {
+    let bucket = bucket_of(u, params.lights);
+    var low = light_first(bucket);
+    var high = params.lights - 1u;
+    if (bucket + 1u < count_buckets(params.lights)) {
+        high = light_first(bucket + 1u);
+    }
+    while (low < high) {
+        let middle = (low + high) / 2u;
+        if (u < light_end(middle)) {
+            high = middle;
+        } else {
+            low = middle + 1u;
+        }
+    }
+    var start = 0.0;
+    if (low > 0u) {
+        start = light_end(low - 1u);
+    }
+    return LightPick(low, left_over(u, start, light_end(low)));
+}
+
+// A light of the table, and a point of it. Numbers that are evenly spread are so over all of a lamp, of however many triangles it is made.
+@if(lights)
+fn draw_from_table(params: TraceParams, position: vec3<f32>, u: vec2<f32>, texel: f32) -> LightSample {
+    let drawn = pick_light(params, u.x);
+    let index = drawn.index;
     let light = load_light(index);
     @if(lights && point_lights) {
         if (light.triangle == NO_HIT) {
@@ -106,7 +146,7 @@ fn draw_from_table(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<
             return draw_point(params, position, load_point(index));
         }
     }
-    return draw_triangle(params, position, light, u, texel);
+    return draw_triangle(params, position, light, vec2<f32>(drawn.rest, u.y), texel);
 }
 
 @if(lights)
@@ -164,30 +204,30 @@ fn draw_from_sun(params: TraceParams, u: vec2<f32>) -> LightSample {
     return from_beyond(params, direction, sky_radiance(params, direction));
 }
 
-// Of sky and sun, by a `pick` from `light_share` on.
+// Of sky and sun: `u.x` is from `light_share` on.
 @if(sky_light)
-fn draw_from_beyond(params: TraceParams, pick: f32, u: vec2<f32>) -> LightSample {
+fn draw_from_beyond(params: TraceParams, u: vec2<f32>) -> LightSample {
     @if(sun) {
-        if (pick < params.sun_end) {
-            return draw_from_sun(params, u);
+        if (u.x < params.sun_end) {
+            return draw_from_sun(params, vec2<f32>(left_over(u.x, params.light_share, params.sun_end), u.y));
         }
     }
-    return draw_from_sky(params, u);
+    return draw_from_sky(params, vec2<f32>(left_over(u.x, params.sun_end, 1.0), u.y));
 }
 
-// Light at a position. `pick` chooses the light, `u` the point on it, `texel` what its map says there.
+// Light at a position. `u` chooses the light, and what is left of it the point there; `texel` what its map says.
 @if(lights || sky_light)
-fn draw_light(params: TraceParams, position: vec3<f32>, pick: f32, u: vec2<f32>, texel: f32) -> LightSample {
+fn draw_light(params: TraceParams, position: vec3<f32>, u: vec2<f32>, texel: f32) -> LightSample {
     @if(lights && sky_light) {
-        if (pick >= params.light_share) {
-            return draw_from_beyond(params, pick, u);
+        if (u.x >= params.light_share) {
+            return draw_from_beyond(params, u);
         }
-        return draw_from_table(params, position, pick / params.light_share, u, texel);
+        return draw_from_table(params, position, vec2<f32>(left_over(u.x, 0.0, params.light_share), u.y), texel);
     }
     @if(lights && !sky_light) {
-        return draw_from_table(params, position, pick, u, texel);
+        return draw_from_table(params, position, u, texel);
     }
     @if(!lights) {
-        return draw_from_beyond(params, pick, u);
+        return draw_from_beyond(params, u);
     }
 }

@@ -22,7 +22,7 @@ import package::lib::intersect::{offset_ray_origin, triangle_normal};
 @if(emitters) import package::lib::light::{emitted};
 @if(lights) import package::lib::light::{power_heuristic};
 import package::lib::math::{largest_of};
-import package::lib::rng::{sample_2d, sample_4d};
+import package::lib::rng::{sample_2d};
 @if(cutout) import package::lib::rng_pcg::{pcg_words};
 @if(cutout) import package::gen::{CUTOUT_DIMENSIONS};
 @if(emission_map) import package::passes::trace::emission::{emission_part};
@@ -59,7 +59,6 @@ const LARGEST_F32: f32 = 0x1.fffffep+127;
 
 // A bounce's numbers in [0, 1) that choose one of several.
 struct Choices {
-    light: f32,
     lobe: f32,
     roulette: f32,
     // What the map of a light says.
@@ -293,8 +292,8 @@ fn shade(state: ptr<function, PathState>, hit: Hit, @if(reuse) place: u32) -> Sh
                 note_lent_point(place, *state, surface, triangle.index, normal);
             }
         }
-        let u = sample_4d((*state).key, dimension(state, SLOT_CHOICES));
-        var choices = Choices(u.x, u.y, u.z, 0.0);
+        let u = sample_2d((*state).key, dimension(state, SLOT_CHOICES));
+        var choices = Choices(u.x, u.y, 0.0);
         @if(record) turn.choices = u;
         @if(thin && relief) {
             surface.bent = is_bent(material, texturing.maps);
@@ -305,7 +304,7 @@ fn shade(state: ptr<function, PathState>, hit: Hit, @if(reuse) place: u32) -> Sh
         }
         @if(lights || sky_light) {
             let point = sample_2d((*state).key, dimension(state, SLOT_LIGHT_POINT));
-            shaded.connection = connect(params, *state, surface, choices.light, point, choices.texel);
+            shaded.connection = connect(params, *state, surface, point, choices.texel);
         }
         shaded.alive = scatter(state, surface, choices);
     } else {

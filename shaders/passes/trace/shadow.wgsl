@@ -42,11 +42,11 @@ struct Connection {
     @if(lights && point_lights && thin && relief) to_point: bool,
 }
 
-// Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by sampling the BSDF: `pick` chooses the
-// light, `u` the point on it, `texel` what its map says there.
+// Draws a point of a light, or a direction of the sky, and weights what it sends here against finding it by sampling the BSDF: `u` chooses the
+// light and the point on it, `texel` what its map says there.
 @if(lights || sky_light)
-fn connect(params: TraceParams, state: PathState, surface: Surface, pick: f32, u: vec2<f32>, texel: f32) -> Connection {
-    let drawn = draw_light(params, surface.position, pick, u, texel);
+fn connect(params: TraceParams, state: PathState, surface: Surface, u: vec2<f32>, texel: f32) -> Connection {
+    let drawn = draw_light(params, surface.position, u, texel);
     let at = mixture_evaluate(surface.material, surface.frame, drawn.direction);
     @if(record) note_light(u, drawn.direction, drawn.pdf, drawn.radiance, drawn.triangle, at.value, at.pdf);
     @if(sources) note_sampled(params, surface.index, drawn.triangle, drawn.end > 0.0, drawn.direction);

@@ -1,8 +1,8 @@
 // The environment's pixels, and a direction drawn by their radiance.
 
-@if(sky_light) import package::gen::{AliasColumn};
+@if(sky_light) import package::gen::{CdfEntry};
 import package::gen::{TraceParams};
-@if(sky_light) import package::lib::alias::{alias_pick};
+@if(sky_light) import package::lib::cdf::{bucket_of, count_buckets, left_over};
 import package::lib::colour::{luminance};
 @if(sky_light) import package::lib::light::{power_heuristic};
 @if(record) import package::lib::record::{turn};
@@ -11,7 +11,7 @@ import package::lib::sky::{sky_cell};
 @if(sun) import package::lib::sun::{sun_covers};
 
 @group(0) @binding(7) var<storage, read> sky: array<vec4<f32>>;
-@if(sky_light) @group(0) @binding(8) var<storage, read> sky_columns: array<AliasColumn>;
+@if(sky_light) @group(0) @binding(8) var<storage, read> sky_cdf: array<CdfEntry>;
 
 // A direction of the scene as the picture has it. Of a picture that is not turned, the same to the bit.
 fn to_picture(params: TraceParams, direction: vec3<f32>) -> vec3<f32> {
@@ -61,7 +61,7 @@ struct SkySample {
     radiance: vec3<f32>,
 }
 
-// An index drawn from the `count` columns from `first` on, and the uniform number that is left over.
+// An index drawn from the `count` entries from `first` on, and the uniform number that is left over.
 @if(sky_light)
 struct ColumnSample {
     index: u32,
@@ -70,12 +70,25 @@ struct ColumnSample {
 
 @if(sky_light)
 fn draw_column(first: u32, count: u32, u: f32) -> ColumnSample {
-    let pick = alias_pick(u, count);
-    let column = sky_columns[first + pick.column];
-    if (pick.rest < column.threshold) {
-        return ColumnSample(pick.column, pick.rest / column.threshold);
+    let bucket = bucket_of(u, count);
+    var low = sky_cdf[first + bucket].first;
+    var high = count - 1u;
+    if (bucket + 1u < count_buckets(count)) {
+        high = sky_cdf[first + bucket + 1u].first;
     }
-    return ColumnSample(column.other, (pick.rest - column.threshold) / (1.0 - column.threshold));
+    while (low < high) {
+        let middle = (low + high) / 2u;
+        if (u < sky_cdf[first + middle].end) {
+            high = middle;
+        } else {
+            low = middle + 1u;
+        }
+    }
+    var start = 0.0;
+    if (low > 0u) {
+        start = sky_cdf[first + low - 1u].end;
+    }
+    return ColumnSample(low, left_over(u, start, sky_cdf[first + low].end));
 }
 
 @if(sky_light)

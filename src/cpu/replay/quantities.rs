@@ -1,6 +1,6 @@
 //! What is compared of a ray, in the order in which one thing follows from another.
 
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DVec2, DVec3};
 
 use crate::cpu::turn::{RayKind, Turn};
 
@@ -78,13 +78,6 @@ impl From<DVec2> for Values {
 impl From<DVec3> for Values {
     fn from(v: DVec3) -> Self {
         Self { numbers: [v.x, v.y, v.z, 0.0], count: 3 }
-    }
-}
-
-impl From<DVec4> for Values {
-    fn from(v: DVec4) -> Self {
-        // The last of a bounce's choices is not used.
-        Self { numbers: v.to_array(), count: 3 }
     }
 }
 

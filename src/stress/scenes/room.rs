@@ -248,7 +248,7 @@ impl Room {
         let tree = tree::build(&self.triangles);
         if let Some(sky) = &self.sky {
             rig.upload("sky", &sky.cells)?;
-            rig.upload("sky_columns", &sky.columns)?;
+            rig.upload("sky_cdf", &sky.cdf)?;
         }
         if !self.lights().lights.is_empty() {
             rig.upload("lights", &self.lights().lights)?;

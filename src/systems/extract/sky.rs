@@ -6,7 +6,7 @@ use glam::Vec3;
 use super::step::Step;
 use crate::components::{Daylight, Environment, EnvironmentItem, EnvironmentMap, Name, rendered_environment};
 use crate::gpu::GpuTable;
-use crate::layout::alias::AliasColumn;
+use crate::layout::cdf::CdfEntry;
 use crate::layout::sky::SkyTable;
 use crate::prepare::daylight;
 use crate::prepare::sky_size::{halve_sky, halvings_of_sky};
@@ -36,7 +36,7 @@ fn extract_sky(
     environments: Query<EnvironmentItem>,
     mut sky: ResMut<Sky>,
     mut cells: ResMut<GpuTable<SkyCell>>,
-    mut columns: ResMut<GpuTable<AliasColumn>>,
+    mut cdf: ResMut<GpuTable<CdfEntry>>,
     device: Res<Device>,
 ) {
     let source = match rendered_environment(environments) {
@@ -46,7 +46,7 @@ fn extract_sky(
             if sky.source.is_some() {
                 *sky = Sky::default();
                 cells.set(Vec::new());
-                columns.set(Vec::new());
+                cdf.set(Vec::new());
             }
             return;
         }
@@ -59,7 +59,7 @@ fn extract_sky(
         SkySource::Daylight(day) => (SkyTable::new(daylight::SIZE, &daylight::sky_pixels(day), Vec3::ONE), 0),
     };
     cells.set(table.cells.into_iter().map(SkyCell).collect());
-    columns.set(table.columns);
+    cdf.set(table.cdf);
     *sky = Sky { source: Some(source), size: table.size, halvings, power: table.power, brightest: table.brightest };
 }
 

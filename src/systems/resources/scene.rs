@@ -10,7 +10,7 @@ use glam::{DVec3, UVec2, Vec3, Vec4};
 use crate::components::{Daylight, DiffuseMap, Energy, EnvironmentMap, Integrator, MeshData, Transform};
 use crate::cpu::film::Joined;
 use crate::gpu::TableRow;
-use crate::layout::alias::AliasColumn;
+use crate::layout::cdf::CdfEntry;
 use crate::layout::film::DisplayParams;
 use crate::layout::light::LightRecord;
 use crate::layout::texture::{CornerUvs, MaterialMaps, Tangents, TextureRecord};
@@ -49,7 +49,7 @@ tables! {
     MaterialRecord => "materials",
     LightRecord => "lights",
     SkyCell => "sky",
-    AliasColumn => "sky_columns",
+    CdfEntry => "sky_cdf",
     TextureRecord => "textures",
     Texel => "texels",
     MaterialMaps => "material_maps",
