@@ -79,7 +79,7 @@ pub struct SurfaceSeen {
     pub geometric: DVec3,
     pub shading: DVec3,
     pub back_face: bool,
-    /// Random numbers: which light, which lobe, whether the path survives; the last is not used.
+    /// Random numbers: which lobe, and whether the path survives.
     pub choices: DVec2,
 }
 

@@ -29,8 +29,10 @@ var<workgroup> nearest: array<u32, TREELET_SIZE>;
 // The numbers of the nodes that are made, that of the root first: they are given from the last on.
 var<workgroup> numbers: array<u32, TREELET_SIZE>;
 // A bit for each place, by which it is counted how many there are before one.
-var<workgroup> kept: array<atomic<u32>, TREELET_SIZE / 32u>;
-var<workgroup> marked: array<atomic<u32>, TREELET_SIZE / 32u>;
+@if(!ballots) var<workgroup> kept: array<atomic<u32>, TREELET_SIZE / 32u>;
+@if(!ballots) var<workgroup> marked: array<atomic<u32>, TREELET_SIZE / 32u>;
+// The same, kept and marked, where subgroups have 32 threads for certain: a ballot tells a word at once.
+@if(ballots) var<workgroup> noted: array<vec2<u32>, TREELET_SIZE / 32u>;
 // How many clusters a turn leaves, and how many nodes it made.
 var<workgroup> turned: vec2<u32>;
 
@@ -58,21 +60,49 @@ fn store_cluster(place: u32, cluster: Cluster) {
     areas[place] = box_area(cluster.low, cluster.high);
 }
 
-// Empties the bits, before a barrier.
+// Empties the bits, before a barrier; ballots write all of a word.
 fn clear_bits(lane: u32) {
-    if lane < TREELET_SIZE / 32u {
-        atomicStore(&kept[lane], 0u);
-        atomicStore(&marked[lane], 0u);
+    @if(!ballots) {
+        if lane < TREELET_SIZE / 32u {
+            atomicStore(&kept[lane], 0u);
+            atomicStore(&marked[lane], 0u);
+        }
+    }
+}
+
+// Notes of each place whether it is kept, and is marked: all invocations together, between clear_bits() and a barrier.
+fn note_bits(place: u32, is_kept: bool, is_marked: bool) {
+    @if(ballots) {
+        let bits = vec2(subgroupBallot(is_kept).x, subgroupBallot(is_marked).x);
+        if (place & 31u) == 0u {
+            noted[place >> 5u] = bits;
+        }
+    } @else {
+        if is_kept {
+            atomicOr(&kept[place >> 5u], 1u << (place & 31u));
+        }
+        if is_marked {
+            atomicOr(&marked[place >> 5u], 1u << (place & 31u));
+        }
+    }
+}
+
+fn noted_bits(word: u32) -> vec2<u32> {
+    @if(ballots) {
+        return noted[word];
+    } @else {
+        return vec2(atomicLoad(&kept[word]), atomicLoad(&marked[word]));
     }
 }
 
 // How many places before one are kept, and are marked.
 fn bits_before(place: u32) -> vec2<u32> {
     var count = vec2(0u);
-    for (var word = 0u; word < TREELET_SIZE / 32u && word * 32u < place; word += 1u) {
-        let mask = (1u << min(place - word * 32u, 31u)) - 1u;
-        let below = select(mask, 0xffffffffu, place - word * 32u >= 32u);
-        count += countOneBits(vec2(atomicLoad(&kept[word]), atomicLoad(&marked[word])) & vec2(below));
+    // All words, so that none waits for another.
+    for (var word = 0u; word < TREELET_SIZE / 32u; word += 1u) {
+        let before = max(place, word * 32u) - word * 32u;
+        let below = select((1u << (before & 31u)) - 1u, 0xffffffffu, before >= 32u);
+        count += countOneBits(noted_bits(word) & vec2(below));
     }
     return count;
 }
@@ -85,8 +115,11 @@ fn nearest_to(place: u32, count: u32) -> u32 {
     let own_area = areas[place];
     var best = vec3(0xffffffffu);
     var found = place;
-    let end = min(place + TREELET_RADIUS + 1u, count);
-    for (var other = max(place, TREELET_RADIUS) - TREELET_RADIUS; other < end; other += 1u) {
+    // A fixed number of rounds, so that none waits for the box of another.
+    for (var step = 0u; step < 2u * TREELET_RADIUS; step += 1u) {
+        let away = (step >> 1u) + 1u;
+        let exists = select((place + away) < count, (place >= away), (step & 1u) != 0u);
+        let other = select(place, select(place + away, place - away, (step & 1u) != 0u), exists);
         let low = min(own.low, bitcast<vec3<f32>>(lows[other].xyz));
         let high = max(own.high, bitcast<vec3<f32>>(highs[other].xyz));
         let both = box_area(low, high);
@@ -146,13 +179,8 @@ fn join_clusters(clusters: u32, lane: u32) {
             joins = mutual && lane < other;
             own = load_cluster(lane);
             partner = load_cluster(other);
-            if stays {
-                atomicOr(&kept[lane >> 5u], 1u << (lane & 31u));
-            }
-            if joins {
-                atomicOr(&marked[lane >> 5u], 1u << (lane & 31u));
-            }
         }
+        note_bits(lane, stays, joins);
         workgroupBarrier();
         if stays {
             let before = bits_before(lane);

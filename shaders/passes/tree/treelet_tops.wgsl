@@ -2,7 +2,7 @@
 
 import package::gen::{LEAF_BIT, Node, TREELET_SIZE, TreeletParams};
 import package::passes::tree::clusters::{
-    Cluster, bits_before, clear_bits, join_clusters, kept, load_cluster, marked, nodes, numbers, store_cluster
+    Cluster, bits_before, clear_bits, join_clusters, load_cluster, nodes, note_bits, numbers, store_cluster
 };
 
 @group(0) @binding(0) var<storage, read> treelets: array<u32>;
@@ -45,10 +45,8 @@ fn take_apart(root: u32, below: u32, lane: u32) -> u32 {
         if lane < count {
             own = load_cluster(lane);
             opens = own.leaves > below;
-            if opens {
-                atomicOr(&marked[lane >> 5u], 1u << (lane & 31u));
-            }
         }
+        note_bits(lane, false, opens);
         workgroupBarrier();
         let opened = bits_before(TREELET_SIZE).y;
         if opened == 0u {
@@ -78,8 +76,11 @@ fn take_apart(root: u32, below: u32, lane: u32) -> u32 {
 fn build_treelet_tops(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(num_workgroups) workgroups: vec3<u32>,
-    @builtin(local_invocation_index) lane: u32,
+    @if(!ballots) @builtin(local_invocation_index) lane: u32,
+    @if(ballots) @builtin(subgroup_id) row: u32,
+    @if(ballots) @builtin(subgroup_invocation_id) thread: u32,
 ) {
+    @if(ballots) let lane = row * 32u + thread;
     let count = treelets[params.level];
     let stride = workgroups.x * workgroups.y;
     for (var i = workgroup.x + workgroup.y * workgroups.x; i < count; i += stride) {

@@ -13,8 +13,11 @@ const GROUP_SIZE = TREELET_SIZE;
 fn build_treelets(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(num_workgroups) workgroups: vec3<u32>,
-    @builtin(local_invocation_index) lane: u32,
+    @if(!ballots) @builtin(local_invocation_index) lane: u32,
+    @if(ballots) @builtin(subgroup_id) row: u32,
+    @if(ballots) @builtin(subgroup_invocation_id) thread: u32,
 ) {
+    @if(ballots) let lane = row * 32u + thread;
     let count = treelets[params.level];
     let stride = workgroups.x * workgroups.y;
     for (var i = workgroup.x + workgroup.y * workgroups.x; i < count; i += stride) {
