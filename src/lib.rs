@@ -16,6 +16,7 @@ pub mod oracle;
 pub mod parallel;
 pub mod passes;
 pub mod prepare;
+pub mod process;
 pub mod scene;
 pub mod shader;
 pub mod stats;

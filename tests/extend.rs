@@ -68,7 +68,7 @@ fn a_chain_deeper_than_the_stack_is_walked_to_its_end() {
 #[test]
 fn a_million_equal_centroids_are_walked() {
     // 2^13 where loops end at 65,535 rounds.
-    let fma = device_fma(&support::lab()).unwrap();
+    let fma = device_fma(&support::gpu());
     let triangles = concentric(if support::stress() { 1 << 20 } else { 1 << 13 });
     let tree = build(&triangles, Cut::Median);
     let mut tracer = Tracer::new(&support::lab());
@@ -96,7 +96,7 @@ fn the_twin_finds_the_same_hits_in_as_many_steps() {
     let mut scenes = hard_scenes();
     scenes.push(("spheres", spheres(20_000, 7)));
     scenes.push(("terrain", terrain(20_000, 7)));
-    let fma = device_fma(&support::lab()).unwrap();
+    let fma = device_fma(&support::gpu());
     for (name, triangles) in scenes {
         let tree = build(&triangles, Cut::Median);
         tracer.load(&tree).unwrap();
@@ -113,7 +113,7 @@ fn the_twin_finds_the_same_hits_in_as_many_steps() {
 
 #[test]
 fn any_number_of_triangles_and_rays() {
-    let fma = device_fma(&support::lab()).unwrap();
+    let fma = device_fma(&support::gpu());
     let mut tracer = Tracer::new(&support::lab());
     let triangles = sphere(0);
     for n in 0..4 {

@@ -75,6 +75,7 @@ fn modules_know_only_what_is_below_them() {
         "parallel",
         "passes",
         "prepare",
+        "process",
         "scene",
         "shader",
         "stats",
@@ -82,12 +83,13 @@ fn modules_know_only_what_is_below_them() {
         "systems",
         "watch",
     ];
-    let below: [(&str, &[&str]); 18] = [
+    let below: [(&str, &[&str]); 19] = [
         ("components", &[]),
         ("image", &["components", "files", "parallel"]),
         ("layout", &[]),
         ("files", &[]),
         ("parallel", &[]),
+        ("process", &[]),
         ("scene", &["components", "files", "image", "parallel"]),
         ("shader", &["files", "layout"]),
         ("passes", &["cpu", "layout"]),
@@ -115,6 +117,7 @@ fn modules_know_only_what_is_below_them() {
                 "parallel",
                 "passes",
                 "prepare",
+                "process",
                 "scene",
                 "shader",
                 "stats",
@@ -135,6 +138,7 @@ fn modules_know_only_what_is_below_them() {
                 "parallel",
                 "passes",
                 "prepare",
+                "process",
                 "scene",
                 "shader",
                 "stats",

@@ -14,7 +14,7 @@ use lucerna::stats::metrics::relative_mse;
 use crate::support;
 
 /// Features of the device, of a replay, of a probe's view, or of a look at the error's sources, not of scenes.
-const OF_OTHERS: [&str; 5] = ["ballots", "probe_view", "record", "software", "sources"];
+const OF_OTHERS: [&str; 6] = ["ballots", "halves", "probe_view", "record", "software", "sources"];
 
 #[test]
 fn the_list_has_every_feature_of_the_trace_kernels() {

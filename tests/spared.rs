@@ -1,5 +1,6 @@
 //! What a film did not need to have done, with bytes and milliseconds: told by what was measured.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -11,6 +12,7 @@ use lucerna::components::{
 };
 use lucerna::engine::{Report, Spared, TreeBuilder};
 use lucerna::layout::trace::MaterialRecord;
+use lucerna::passes::table::TABLE;
 use lucerna::prepare::texture::words;
 use lucerna::scene::{MapUse, SceneDescription, TextureMap, texture_name};
 use lucerna::shader::Library;
@@ -116,4 +118,56 @@ fn textures_that_nothing_uses_and_halves_are_told_in_bytes() {
     assert_eq!(report.spared.halved_texture_bytes, 4 * (words(&used, 0) - words(&used, 2)));
     assert_eq!(report.spared.unused_texture_bytes, 4 * words(&unused, 1));
     assert_eq!(report.texture_bytes, 4 * words(&used, 2));
+}
+
+/// Passes of which a report says what did not happen: that they did not run for the film though they did since `before`, or that they did though
+/// they did not.
+fn untrue(report: &Report, before: &BTreeMap<&'static str, u64>, engine: &Engine) -> Vec<&'static str> {
+    let count = |of: &BTreeMap<&'static str, u64>, name: &str| of.get(name).copied().unwrap_or(0);
+    let wrong = |name: &&'static str| {
+        let skipped = count(&report.dispatches, name) == 0 || report.spared.passes.iter().any(|(kept, _)| kept == name);
+        let ran = count(engine.dispatches(), name) > count(before, name);
+        skipped == ran
+    };
+    TABLE.iter().map(|pass| pass.name).filter(wrong).collect()
+}
+
+#[test]
+fn what_is_told_of_a_pass_is_what_it_did_and_a_false_word_is_seen() {
+    let mut engine = open(&scene());
+    engine.set_tree_builder(TreeBuilder::Passes);
+    let edits: [fn(&mut World); 4] = [
+        |_| {},
+        |world| world.query::<&mut Camera>().iter_mut(world).for_each(|mut camera| camera.position.x += 0.1),
+        |world| world.query::<&mut Material>().iter_mut(world).next().unwrap().diffuse = Vec3::splat(0.123),
+        |world| {
+            let mut meshes = world.query_filtered::<&mut Transform, With<Geometry>>();
+            meshes.iter_mut(world).next().unwrap().0 = DAffine3::from_translation(glam::DVec3::Y * 0.1);
+        },
+    ];
+    let mut kept = Vec::new();
+    for edit in edits {
+        let before = engine.dispatches().clone();
+        engine.edit(edit);
+        let told = report(&mut engine);
+        assert_eq!(untrue(&told, &before, &engine), Vec::<&str>::new());
+        kept.push(told.spared.passes.len());
+        // A report that says of a pass which ran that it did not: because an earlier film had done it, or because nothing did.
+        let ran = |name: &&&'static str| engine.dispatches()[**name] > before.get(**name).copied().unwrap_or(0);
+        for name in engine.dispatches().keys().filter(|name| ran(name)) {
+            let mut false_word = told.clone();
+            false_word.spared.passes.push((*name, None));
+            assert_eq!(untrue(&false_word, &before, &engine), [*name]);
+            let mut false_word = told.clone();
+            false_word.dispatches.remove(name);
+            assert_eq!(untrue(&false_word, &before, &engine), [*name]);
+        }
+        for (name, _) in &told.spared.passes {
+            let mut false_word = told.clone();
+            false_word.spared.passes.retain(|(kept, _)| kept != name);
+            assert_eq!(untrue(&false_word, &before, &engine), [*name]);
+        }
+    }
+    // Of a moved mesh the tree is built anew; another view or material keeps it.
+    assert!(kept[0] == 0 && kept[1] > 0 && kept[2] > 0 && kept[3] == 0, "{kept:?}");
 }

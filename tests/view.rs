@@ -54,7 +54,7 @@ fn finish(engine: &mut Engine) {
 
 /// The picture that the twin makes of what the device holds, seen from its camera turned by `nudge`, parts of the film's half sides.
 fn twin(world: &World, mode: ViewMode, nudge: Vec2) -> Vec<u32> {
-    let fma = device_fma(&support::lab()).unwrap();
+    let fma = device_fma(&support::gpu());
     let (geometry, shot) = (world.resource::<SceneGeometry>(), world.resource::<Shot>());
     let device = &world.resource::<Device>().0;
     let materials = world.resource::<GpuTable<MaterialRecord>>().rows();

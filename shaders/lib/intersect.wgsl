@@ -102,12 +102,43 @@ fn slab_interval(query: Query, low: vec3<f32>, high: vec3<f32>) -> vec2<f32> {
     return vec2(max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z) * FAR_GROWTH);
 }
 
-// a * b - c * d with the right sign, or 0: to 1.5 ulp where fma() rounds once, and where it rounds twice the difference
-// of two rounded products, in whose order rounding makes no mistake (Kahan; Jeannerod et al. 2013).
+// a * b - c * d to 1.5 ulp, so with the right sign, or 0. Where fma() rounds once: Kahan; Jeannerod et al. 2013.
+@if(!halves)
 fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
     let cd = c * d;
     let error = fma(-c, d, cd);
     return fma(a, b, -cd) + error;
+}
+
+// Where it rounds twice: the difference of the rounded products, and that of what they lack.
+@if(halves)
+fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
+    let ab = a * b;
+    let cd = c * d;
+    return as_written(ab - cd) + (product_error(a, b, ab) - product_error(c, d, cd));
+}
+
+// a * b less `product`, which is that rounded; exact, for each product of halves is, and so is each sum (Dekker 1971).
+@if(halves)
+fn product_error(a: f32, b: f32, product: f32) -> f32 {
+    let a_high = upper_half(a);
+    let b_high = upper_half(b);
+    let a_low = a - a_high;
+    let b_low = b - b_high;
+    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
+// The first 12 of the 24 bits of x.
+@if(halves)
+fn upper_half(x: f32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(x) & 0xfffff000u);
+}
+
+// A finite x, of which a compiler can't tell that it is a sum: Mesa takes the sum of two products and a third term in another order, for the sake
+// of fused instructions, also where there are none.
+@if(halves)
+fn as_written(x: f32) -> f32 {
+    return bitcast<f32>(min(bitcast<u32>(x), 0xff7fffffu));
 }
 
 // Twice the signed area of (0, p, q). Computed in one order of its ends, so that the two triangles of an edge get the

@@ -10,7 +10,7 @@ use crate::layout::ray::{FAR_GROWTH, INSET, LEAST_AREA, LEAST_PART, Ray, SLAB_GR
 pub enum Fma {
     /// Once, as a fused instruction does.
     Fused,
-    /// The product and then the sum, as lavapipe does.
+    /// The product and then the sum, as lavapipe does: then products are made exact from halves (feature `halves`).
     Unfused,
 }
 
@@ -122,11 +122,23 @@ pub fn slab_interval(query: &Query, bounds: Bounds) -> Vec2 {
     Vec2::new(a.min(b).max_element(), a.max(b).min_element() * FAR_GROWTH)
 }
 
-/// `a * b - c * d` with the right sign, or 0; to 1.5 ulp where fma is fused (Kahan).
+/// `a * b - c * d` to 1.5 ulp, so with the right sign, or 0 (fused: Kahan).
 pub fn difference_of_products(fma: Fma, a: f32, b: f32, c: f32, d: f32) -> f32 {
     let cd = c * d;
-    let error = fma.of(-c, d, cd);
-    fma.of(a, b, -cd) + error
+    match fma {
+        Fma::Fused => a.mul_add(b, -cd) + (-c).mul_add(d, cd),
+        Fma::Unfused => {
+            let ab = a * b;
+            (ab - cd) + (product_error(a, b, ab) - product_error(c, d, cd))
+        }
+    }
+}
+
+/// `a * b` less `product`, which is that rounded; exact (Dekker 1971).
+fn product_error(a: f32, b: f32, product: f32) -> f32 {
+    let [a_high, b_high] = [a, b].map(|x| f32::from_bits(x.to_bits() & 0xffff_f000));
+    let (a_low, b_low) = (a - a_high, b - b_high);
+    ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
 }
 
 /// Twice the signed area of (0, p, q), the negative of that of (0, q, p) to the bit.

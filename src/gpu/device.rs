@@ -3,6 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use super::pipeline_cache::PipelineCache;
+use super::rounding::{HALVES, rounds_twice};
 use super::{GpuError, room};
 use crate::shader::BALLOTS;
 
@@ -34,6 +35,8 @@ pub struct Gpu {
     /// What was compiled in earlier starts.
     pub(super) pipeline_cache: Option<PipelineCache>,
     lost: Arc<Mutex<Option<String>>>,
+    /// It rounds the product of `fma()`, and then the sum.
+    rounds_twice: bool,
 }
 
 /// What `lucerna doctor` says of an adapter.
@@ -229,7 +232,8 @@ impl Gpu {
             }
         });
         let pipeline_cache = PipelineCache::of(&info, features);
-        Ok(Arc::new(Gpu { device, queue, info, limits, features, pipeline_cache, lost }))
+        let rounds_twice = rounds_twice(&device, &queue)?;
+        Ok(Arc::new(Gpu { device, queue, info, limits, features, pipeline_cache, lost, rounds_twice }))
     }
 
     /// Adapter and driver in one line.
@@ -251,6 +255,16 @@ impl Gpu {
     /// The folder that keeps what the driver compiles, where one does.
     pub fn kept_pipelines(&self) -> Option<&std::path::Path> {
         self.pipeline_cache.as_ref().map(PipelineCache::folder)
+    }
+
+    /// Whether `fma()` rounds the product before the sum, as lavapipe's does.
+    pub fn rounds_twice(&self) -> bool {
+        self.rounds_twice
+    }
+
+    /// What all code is to know of how the device rounds, as features that it is linked with.
+    pub(super) fn rounding_features(&self) -> &'static [&'static str] {
+        if self.rounds_twice { &[HALVES] } else { &[] }
     }
 
     /// What shaders may know of the device, as features that they are linked with.

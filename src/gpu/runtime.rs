@@ -25,11 +25,11 @@ pub struct Runtime {
 }
 
 impl Runtime {
-    /// No buffers yet, no features, no timing.
+    /// No buffers yet, no features but those of how the device rounds, no timing.
     pub fn new(gpu: Arc<Gpu>, library: Library) -> Self {
         Self {
             pipelines: Pipelines::new(gpu.clone(), library),
-            features: Features::new(),
+            features: gpu.rounding_features().iter().map(|f| (*f).to_owned()).collect(),
             gpu,
             buffers: Buffers::default(),
             player: Player::default(),
@@ -47,9 +47,10 @@ impl Runtime {
         self.pipelines.library()
     }
 
-    /// The features that modules are linked with from now on.
+    /// The features that modules are linked with from now on, beside those of how the device rounds.
     pub fn set_features<S: AsRef<str>>(&mut self, features: &[S]) {
-        self.features = features.iter().map(|f| f.as_ref().to_owned()).collect();
+        let rounding = self.gpu.rounding_features().iter().copied();
+        self.features = features.iter().map(AsRef::as_ref).chain(rounding).map(str::to_owned).collect();
     }
 
     /// All parameters that the library declares, by name.

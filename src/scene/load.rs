@@ -35,7 +35,7 @@ pub struct Loaded {
     pub warnings: Vec<Diagnostic>,
     /// Every file that was read, or that was looked for and is missing.
     pub files: Vec<PathBuf>,
-    /// Pictures that are cut short: if one was saved just now, its rest may follow.
+    /// Pictures that are empty or cut short: if one was saved just now, its rest may follow.
     pub unfinished: Vec<PathBuf>,
     /// The fields of settings that the scene or a define gives.
     pub given: BTreeSet<&'static str>,
@@ -115,7 +115,7 @@ struct Loader<'s> {
     models: BTreeSet<PathBuf>,
     /// By the files that maps name: the first place that does, as a warning without its message.
     map_places: BTreeMap<PathBuf, Diagnostic>,
-    /// Pictures that are cut short.
+    /// Pictures that are empty or cut short.
     unfinished: Vec<PathBuf>,
     origins: BTreeMap<String, Origin>,
     shader_places: BTreeMap<String, ShaderPlace>,

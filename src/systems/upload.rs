@@ -5,7 +5,9 @@ use glam::UVec2;
 
 use super::error::EngineError;
 use super::phase::Phase;
-use super::resources::{Device, FilmProgress, MeanEmission, Robust, Shot, SkyCell, Spent, Texel, Tiles};
+use super::resources::{
+    Device, FilmProgress, MeanEmission, Robust, Shot, SkyCell, Spent, Texel, Tiles, film_has_not_begun,
+};
 use super::run::counted;
 use crate::components::Film;
 use crate::cpu::allocation::Grid;
@@ -86,10 +88,6 @@ fn is_stale<T: TableRow>(table: Res<GpuTable<T>>) -> bool {
 /// Sends what the device lacks of a table. Its contents stay what they were: it does not count as changed.
 fn upload_table<T: TableRow>(mut device: ResMut<Device>, mut table: ResMut<GpuTable<T>>) -> Result<(), EngineError> {
     Ok(table.bypass_change_detection().upload(&mut device.0)?)
-}
-
-fn film_has_not_begun(progress: Single<&FilmProgress, With<Film>>) -> bool {
-    !progress.begun
 }
 
 /// Makes room for a film that starts anew, and sets the features its pipelines are compiled for.

@@ -70,7 +70,8 @@ impl SceneFiles {
         self.seen.keys().flat_map(|file| files::trail(file))
     }
 
-    /// Loads the scene anew if any of its files changed. `patient`: a file that is empty, gone or cut short is being saved.
+    /// Loads the scene anew if any of its files changed. `patient`: a file that is empty, gone or cut short is being saved, and so is one that
+    /// changes while the scene is read.
     pub fn look(&mut self, patient: bool, force: bool) -> Look<Box<Loaded>> {
         let now: Vec<(PathBuf, Seen)> =
             self.seen.iter().map(|(path, old)| (path.clone(), Seen::of(path, Some(old)))).collect();
@@ -86,7 +87,8 @@ impl SceneFiles {
         let files: Vec<PathBuf> = changed.into_iter().map(|(path, _)| path.clone()).collect();
         let Attempt { scene: mut result, files: read, shaders } = (self.scene.read)();
         let is_cut_short = |loaded: &Loaded| loaded.unfinished.iter().any(|file| files.contains(file));
-        if patient && result.as_ref().is_ok_and(is_cut_short) {
+        let changes = |(path, seen): &(PathBuf, Seen)| Seen::of(path, Some(seen)).digest != seen.digest;
+        if patient && (result.as_ref().is_ok_and(is_cut_short) || now.iter().any(changes)) {
             return Look::Unfinished;
         }
         // What a broken scene names is not all known: then the old files stay under watch.
@@ -95,13 +97,14 @@ impl SceneFiles {
             self.shaders = shaders;
             self.seen.retain(|path, _| read.contains(path));
         }
-        self.see(&read);
+        // What is read again counts as it was before: what became of it meanwhile is for the next look.
         let now = now.into_iter().filter(|(path, _)| self.seen.contains_key(path)).collect::<Vec<_>>();
+        self.see(read.iter().filter(|path| now.binary_search_by(|(known, _)| known.cmp(path)).is_err()));
         self.seen.extend(now);
         Look::Changed { files, result: result.map(Box::new).map_err(problems_of) }
     }
 
-    fn see(&mut self, paths: &[PathBuf]) {
+    fn see<'p>(&mut self, paths: impl IntoIterator<Item = &'p PathBuf>) {
         for path in paths {
             let seen = Seen::of(path, self.seen.get(path));
             self.seen.insert(path.clone(), seen);

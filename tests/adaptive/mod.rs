@@ -1,5 +1,6 @@
 //! Adaptive films: how samples are dealt, what the passes do, and films as a whole.
 
+mod converged;
 mod dealt;
 mod error;
 mod films;

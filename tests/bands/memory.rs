@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
-use lucerna::app::shared::memory::{peak, shown};
+use lucerna::app::shared::memory::shown;
 use lucerna::gpu::Held;
 use lucerna::layout::film::FilmPixel;
+use lucerna::process::peak;
 
 use super::{lucerna, report, scene};
 use crate::support;

@@ -47,15 +47,41 @@ impl Plain<'_> {
         (!around.is_empty()).then(|| (means[0][c] - mean(0)) * (means[1][c] - mean(1)))
     }
 
+    /// What a channel has along the edge that a pixel is at, or 0: the lesser half's mean over the line that is least spread, if another is a
+    /// hundred times as much.
+    fn along_edge(&self, x: i64, y: i64, c: usize) -> f64 {
+        let line = |(across, down): (i64, i64)| -> Option<Vec<[f64; 2]>> {
+            let pixel = |far: i64| Some(self.seen(x + far * across, y + far * down)?.0.map(|mean| mean[c]));
+            [-2, -1, 1, 2].into_iter().map(pixel).collect()
+        };
+        let spread = |line: &[[f64; 2]]| {
+            let means: Vec<f64> = line.iter().map(|[a, b]| 0.5 * (a + b)).collect();
+            let mean = means.iter().sum::<f64>() / 4.0;
+            means.iter().map(|m| m * m).sum::<f64>() / 4.0 - mean * mean
+        };
+        let mut lines: Vec<_> = [(1, 0), (0, 1), (1, 1), (1, -1)].into_iter().filter_map(line).collect();
+        lines.sort_by(|a, b| spread(a).total_cmp(&spread(b)));
+        match (lines.first(), lines.last()) {
+            (Some(least), Some(most)) if 100.0 * spread(least).max(0.0) < spread(most) => {
+                let sum = |half: usize| least.iter().map(|means| means[half]).sum::<f64>();
+                sum(0).min(sum(1)) / 4.0
+            }
+            _ => 0.0,
+        }
+    }
+
     /// Relative errors of the channels, and what their squares might add up to.
     fn share(&self, x: i64, y: i64) -> Option<([f64; 3], f64)> {
         let (means, noise) = self.seen(x, y)?;
         let (mut errors, mut most) = ([0.0; 3], 0.0);
         for c in 0..3 {
             let (a, b, noise) = (means[0][c], means[1][c], noise[c]);
-            let dark = (a.min(b).powi(2) + 0.01).sqrt();
-            let rare = 1.0 + noise / ((0.5 * (a + b)).powi(2) + 0.01);
-            let own = rare / (dark * (dark + (a - b).abs()));
+            let own_of = |least: f64| {
+                let dark = (a.min(b).max(least).powi(2) + 0.01).sqrt();
+                let rare = 1.0 + noise / ((0.5 * (a + b)).powi(2) + 0.01);
+                rare / (dark * (dark + (a - b).abs()))
+            };
+            let (own, likely) = (own_of(0.0), own_of(self.along_edge(x, y, c).min(0.5 * (a + b))));
             let (near, wide) = (self.square(x, y, 2, false), self.square(x, y, 4, false));
             let (weight, greater) = if near.is_empty() {
                 (own, own)
@@ -68,7 +94,7 @@ impl Plain<'_> {
                 let products: Vec<f64> = inner.filter_map(|(x, y)| self.product(x, y, c)).collect();
                 let structure = (products.iter().sum::<f64>() / products.len().max(1) as f64).max(0.0);
                 let trust = if structure > 0.0 { structure / (structure + noise) } else { 0.0 };
-                (trust * own + (1.0 - trust) * others, own.max(others))
+                (trust * likely + (1.0 - trust) * others, own.max(others))
             };
             errors[c] = (weight * noise).sqrt() * (a - b).signum();
             most += noise * greater;
@@ -144,6 +170,13 @@ fn the_error_is_that_of_its_definition_however_many_rows_there_are() {
     for (number, (width, height)) in sizes.into_iter().enumerate() {
         let mut film = noise(width * height);
         // Some have no sample in one half.
+        // A lamp's edge, which covers little of a row.
+        let lit = height / 2 * width;
+        film[lit..lit + width].fill(pixel_of(&[[50.0; 3]; 2]));
+        let mut sliver = |at: usize| {
+            film[at] = pixel_of(&[[0.1; 3], [[2.0; 3], [0.2; 3]][at % 2], [[2.1; 3], [0.3; 3]][at / 2 % 2]])
+        };
+        (lit.saturating_sub(width)..lit).for_each(&mut sliver);
         film.iter_mut().step_by(17).for_each(|pixel| pixel.halves[1] = FilmHalf::default());
         let place = Place { min: UVec2::from(places[number % places.len()]), width };
         let told = film_error(&film, place, EXPONENT);

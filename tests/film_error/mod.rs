@@ -4,4 +4,5 @@ mod definition;
 mod model;
 mod models;
 mod scenes;
+mod slivers;
 mod stopping;

@@ -45,7 +45,7 @@ fn a_scene_can_ask_for_every_feature_that_the_kernel_names() {
     asked.extend(Needs { maps: &[every], ..Needs::default() }.features());
     asked.extend(Needs { triangles: 32, lens: true, point_lights: true, ..Needs::default() }.features());
     // Of the device, not of the scene.
-    asked.insert("software");
+    asked.extend(["halves", "software"]);
     // Of the film, not of the scene.
     asked.insert("adaptive");
     // Of the passes that replay a path, that show a probe, and that say where the error comes from.

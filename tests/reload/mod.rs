@@ -95,6 +95,11 @@ impl Bench {
 
     /// The same, of which something is made otherwise before it is opened.
     fn opened(prepare: impl FnOnce(&Path)) -> Self {
+        Self::opened_by(prepare, |path| WatchedScene::file(path, Vec::new(), Box::new(|_| {})))
+    }
+
+    /// The same, whose scene is read again in a way of its own.
+    fn opened_by(prepare: impl FnOnce(&Path), watched: impl FnOnce(PathBuf) -> WatchedScene) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
         copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders"), &root.join("shaders"));
@@ -106,7 +111,7 @@ impl Bench {
         let loaded = scene::load(&path, &[]).unwrap();
         let library = Library::open(&root.join("shaders")).unwrap();
         let mut engine = Engine::open(support::gpu(), library.clone(), &loaded.description).unwrap();
-        let watched = WatchedScene::file(path, Vec::new(), Box::new(|_| {}));
+        let watched = watched(path);
         let scene::Loaded { description, text, files, .. } = loaded;
         let sources = Sources {
             shaders: Some((Layers::folder(root.join("shaders")), library)),

@@ -34,16 +34,16 @@ fn told(replay: &Replay) -> String {
     format!("{} {}: {:?}, {parting:?}\n{ours:#?}\n{right:#?}", replay.pixel, replay.sample, replay.verdict.why)
 }
 
-fn five_scenes() -> [(&'static str, SceneDescription); 5] {
+fn six_scenes() -> [(&'static str, SceneDescription); 6] {
     let shipped = |name| (name, scene_with(name, &[]));
-    let [data, cornell, glass] = ["cornell-data", "cornell-box", "glass"].map(shipped);
+    let [data, cornell, glass, teapot] = ["cornell-data", "cornell-box", "glass", "teapot-daylight"].map(shipped);
     let sky = scene_with("glass", &[("environment", "Sky(sun: (40, 60))")]);
-    [data, cornell, glass, ("under a sky", sky), ("garden", Garden::full(SIZE).description)]
+    [data, cornell, glass, teapot, ("under a sky", sky), ("garden", Garden::full(SIZE).description)]
 }
 
 #[test]
 fn a_thousand_samples_are_the_twins_or_rounding_parts_them() {
-    for (name, description) in five_scenes() {
+    for (name, description) in six_scenes() {
         let all = replays(&description, Library::shipped(), 200);
         assert_eq!(all.len(), 200);
         let parted: Vec<&Replay> = all.iter().filter(|replay| replay.verdict.comparison.parting.is_some()).collect();

@@ -6,6 +6,7 @@ mod errors;
 mod left;
 mod rendered;
 pub mod report;
+mod skipped;
 mod trace;
 mod until;
 
@@ -18,7 +19,6 @@ use std::time::Instant;
 use crate::app::shared::compiling::watch_compiling;
 use crate::app::shared::describe::Described;
 use crate::app::shared::interrupt::{Interrupt, leave_running};
-use crate::app::shared::memory;
 use crate::app::shared::opening::Opening;
 use crate::app::shared::output;
 use crate::app::shared::parameters;
@@ -29,6 +29,7 @@ use crate::components::Adaptive;
 use crate::engine::{Engine, ErrorSources, FilmPart, Surveyed};
 use crate::gpu::Gpu;
 use crate::image::{Frame, Output, Outputs, Picture, Rows, SaveError, Strips};
+use crate::process;
 use crate::scene::SceneDescription;
 use bands::Bands;
 use rendered::Rendered;
@@ -111,7 +112,7 @@ pub fn run(arguments: &RenderArguments, started: Instant) -> Result<Exit, Failur
         robust: robust.as_ref(),
         seconds,
         until,
-        process_peak: memory::peak(),
+        process_peak: process::peak(),
     };
     // Drivers take a tenth of a second to close a device.
     let may_be_left = gpu.may_be_left_open();

@@ -6,6 +6,7 @@
 
 mod around;
 mod halves;
+mod line;
 mod radiance;
 mod spread;
 

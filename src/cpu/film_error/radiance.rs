@@ -3,11 +3,13 @@
 //! The pixel's own mean is no good where it is noisy: a rare bright sample would be measured by itself. The mean of the pixels around it is no
 //! good at an edge. So the weight is between the weights of both, after Wiener: as much of the first as structure has of structure and noise
 //! together. Noise is what the halves do not agree on, structure what they agree on: the product of how far each is from what is around.
+//! Where one half alone has met what an edge brings, the pixel is as those along the edge are (`line`).
 
 use std::ops::Range;
 
 use super::around::sums;
 use super::halves::Halves;
+use super::line::along_edge;
 use crate::stats::metrics::DARK;
 
 /// Pixels on every side that are around one.
@@ -58,9 +60,11 @@ pub fn shares(halves: &[Halves], width: usize, rows: Range<usize>) -> Vec<Share>
     let pixels = halves[rows.start * width..rows.end * width].iter().zip(&around[skipped * width..]);
     pixels
         .zip(structure)
-        .map(|((pixel, around), [r, g, b, count])| {
+        .enumerate()
+        .map(|(i, ((pixel, around), [r, g, b, count]))| {
             let structure = [r, g, b].map(|sum| if count > 0.0 { (sum / count).max(0.0) } else { 0.0 });
-            share(pixel, around, structure)
+            let at = (i % width, rows.start + i / width);
+            share(pixel, around, structure, |c| along_edge(halves, width, at, c))
         })
         .collect()
 }
@@ -124,11 +128,12 @@ fn product(pixel: &Halves, around: &Around) -> [f64; 4] {
     [r, g, b, 1.0]
 }
 
-fn share(pixel: &Halves, around: &Around, structure: [f64; 3]) -> Share {
+/// `along_edge`: what a channel has along the edge that the pixel is at.
+fn share(pixel: &Halves, around: &Around, structure: [f64; 3], along_edge: impl Fn(usize) -> f64) -> Share {
     if !pixel.is_there() {
         return Share::default();
     }
-    let weights = [0, 1, 2].map(|c| weights(pixel, around, structure[c], c));
+    let weights = [0, 1, 2].map(|c| weights(pixel, around, structure[c], c, || along_edge(c)));
     Share {
         errors: [0, 1, 2].map(|c| weights[c].0.sqrt() * pixel.error(c)),
         most: (0..3).map(|c| weights[c].1 * pixel.error(c).powi(2)).sum(),
@@ -137,8 +142,10 @@ fn share(pixel: &Halves, around: &Around, structure: [f64; 3]) -> Share {
 }
 
 /// The weight of a channel's squared error, and the greater one of the two that it is between.
-fn weights(pixel: &Halves, around: &Around, structure: f64, c: usize) -> (f64, f64) {
-    let own = own_weight(pixel, c);
+///
+/// An edge counts for the weight alone: that what lies along it is the pixel's is as good a guess as there is, and not sure.
+fn weights(pixel: &Halves, around: &Around, structure: f64, c: usize, along_edge: impl Fn() -> f64) -> (f64, f64) {
+    let own = own_weight(pixel, c, 0.0);
     if !around.is_there {
         return (own, own);
     }
@@ -147,14 +154,17 @@ fn weights(pixel: &Halves, around: &Around, structure: f64, c: usize) -> (f64, f
     let others = 1.0 / (mean * mean + DARK + 3.0 * around.variance[c]);
     let noise = pixel.error(c).powi(2);
     let trust = if structure > 0.0 { structure / (structure + noise) } else { 0.0 };
-    (trust * own + (1.0 - trust) * others, own.max(others))
+    let likely = if trust > 0.0 { own_weight(pixel, c, along_edge()) } else { own };
+    (trust * likely + (1.0 - trust) * others, own.max(others))
 }
 
 /// By the pixel alone. The product of the halves and not the square of their mean: it is the square of the radiance on average, and is not
-/// deceived by what is bright in one half alone. Where that is nearly all there is, the pixel is likely to be darker still.
-fn own_weight(pixel: &Halves, c: usize) -> f64 {
+/// deceived by what is bright in one half alone. Where that is nearly all there is, the pixel is likely to be darker still; but not darker than
+/// `least`, as far as its own mean goes.
+fn own_weight(pixel: &Halves, c: usize, least: f64) -> f64 {
     let [a, b] = pixel.means.map(|mean| mean[c]);
-    let (dark, mean) = (a.min(b).hypot(DARK.sqrt()), 0.5 * (a + b));
+    let mean = 0.5 * (a + b);
+    let dark = a.min(b).max(least.min(mean)).hypot(DARK.sqrt());
     let rare = 1.0 + pixel.error(c).powi(2) / (mean * mean + DARK);
     rare / (dark * (dark + (a - b).abs()))
 }

@@ -43,14 +43,14 @@ pub struct Textures {
     pub messages: Diagnostics,
     /// Every file that a map names.
     pub files: Vec<PathBuf>,
-    /// Those of them that are cut short.
+    /// Those of them that are empty or cut short.
     pub unfinished: Vec<PathBuf>,
 }
 
 impl Textures {
     /// Says why there is no texture.
     fn refuse(&mut self, error: &ReadError, place: Diagnostic) {
-        if matches!(error.fault, Fault::CutShort) {
+        if matches!(error.fault, Fault::CutShort | Fault::Empty) {
             self.unfinished.push(error.path.clone());
         }
         self.messages.push(refusal(error, place));

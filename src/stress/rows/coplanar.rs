@@ -28,7 +28,7 @@ const BY_TWIN: usize = 4_000;
 fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
     let cuts = [Cut::Median, Cut::Random(1), Cut::Random(2), Cut::Chain];
     let mut tracer = Tracer::new(lab);
-    let fma = device_fma(lab)?;
+    let fma = device_fma(lab.gpu());
     let triangles = coplanar(6);
     let mut all = Measured::new(0.0, 0);
     let (mut done, mut seed) = (0, 60);

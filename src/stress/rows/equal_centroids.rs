@@ -44,7 +44,7 @@ fn measure(lab: &Lab, size: u64) -> Result<Measured, StressError> {
     let tree = built(&mut rig, &walked)?;
     let mut tracer = Tracer::new(lab);
     tracer.load(&tree)?;
-    let fma = device_fma(lab)?;
+    let fma = device_fma(lab.gpu());
     let rays = random_rays(300, 2.0, 31);
     let hits = tracer.extend(&rays)?;
     for (ray, hit) in rays.iter().zip(&hits) {

@@ -9,6 +9,7 @@ use crate::components::{Reading, Render, Texture};
 use crate::engine::Engine;
 use crate::gpu::Code;
 use crate::layout::film::FilmPixel;
+use crate::process::resident;
 use crate::scene::{MapUse, SceneDescription, TextureMap, texture_name};
 use crate::shader::Library;
 use crate::stress::lab::{Lab, finish};
@@ -17,7 +18,6 @@ use crate::stress::row::Row;
 use crate::stress::scenes::described::{Inside, room};
 use crate::stress::tools::edits::{Dice, edit, picture};
 use crate::stress::tools::plant::plant;
-use crate::stress::tools::process::resident;
 
 pub static ROW: Row = Row {
     name: "random-edits",
@@ -36,7 +36,8 @@ const CHECK: u32 = 3;
 /// How often a round's edits are made at most, until no buffer has grown.
 const PASSES: u32 = 4;
 
-/// Bytes by which the process may have grown while edits were made again, over all seeds: allocators keep some of what was freed.
+/// Bytes by which the process may have grown while edits were made again, over all seeds: allocators keep some of what was freed, and a driver the code
+/// that a device ran.
 const MOST_GROWTH: i64 = 64 << 20;
 
 /// A room with a texture, in small.
@@ -212,6 +213,7 @@ fn measure(lab: &Lab, _: u64) -> Result<Measured, StressError> {
     let (first, libraries) = (first_scene(), libraries(lab.library())?);
     let begin = Instant::now();
     let (mut edits, mut seeds, mut grown) = (0, 0, Some(0));
+    let mut first_seed = None;
     loop {
         match try_seed(lab, lab.seed().wrapping_add(seeds), &first, &libraries)? {
             Ok(made) => {
@@ -221,6 +223,7 @@ fn measure(lab: &Lab, _: u64) -> Result<Measured, StressError> {
             Err(fault) => return Ok(Measured::new(1.0, edits).noted(fault)),
         }
         seeds += 1;
+        first_seed = first_seed.or_else(resident);
         let spent = begin.elapsed().as_secs_f64();
         lab.tell((1e3 * spent.min(seconds)) as u64, (1e3 * seconds) as u64);
         if spent >= seconds {
@@ -230,7 +233,11 @@ fn measure(lab: &Lab, _: u64) -> Result<Measured, StressError> {
     let told = grown.map_or(String::new(), |bytes| {
         format!(", made again they took {:.1} MiB of the process", bytes as f64 / f64::from(1 << 20))
     });
-    let note = format!("{} films of {seeds} seeds from --seed {}{told}", edits / u64::from(CHECK), lab.seed());
+    let since = first_seed.filter(|_| seeds > 1).zip(resident()).map_or(String::new(), |(then, now)| {
+        let more = (now.cast_signed() - then.cast_signed()) as f64 / f64::from(1 << 20);
+        format!(", and all after the first {more:.1} MiB")
+    });
+    let note = format!("{} films of {seeds} seeds from --seed {}{told}{since}", edits / u64::from(CHECK), lab.seed());
     let value = f64::from(u8::from(grown.is_some_and(|bytes| bytes > MOST_GROWTH)));
     Ok(Measured::new(value, edits).noted(note))
 }

@@ -10,7 +10,6 @@ pub mod lookups;
 pub mod paths;
 pub mod placed;
 pub mod plant;
-pub mod process;
 pub mod quadrature;
 pub mod sums;
 pub mod surface;

@@ -2,10 +2,10 @@
 
 use crate::cpu::intersect::Fma;
 use crate::cpu::tree::Tree;
-use crate::gpu::{GpuError, Runtime};
+use crate::gpu::{Gpu, GpuError, Runtime};
 use crate::layout::ray::{ExtendParams, Hit, Ray};
 use crate::layout::tree::{Node, Triangle, root};
-use crate::passes::{Binding, Pass, Recording, Size, Twin, extend};
+use crate::passes::{Pass, Recording, Size, Twin, extend};
 use crate::stress::lab::Lab;
 
 /// `extend` without a tree: every leaf is tested, by the function that the walk uses.
@@ -30,29 +30,12 @@ static EXTEND_FEW: Pass = Pass {
     twin: Twin::None("of a stress"),
 };
 
-static PROBE_FMA: Pass = Pass {
-    name: "probe_fma",
-    module: "passes/probe_fma",
-    entry: "probe_fma",
-    features: &[],
-    bindings: &[Binding::write("words", "array<f32>")],
-    makes: &[],
-    twin: Twin::None("of a stress"),
-};
-
 /// Rays at once, as buffers hold them.
 pub const AT_ONCE: u64 = 1 << 20;
 
 /// How a device rounds fma().
-pub fn device_fma(lab: &Lab) -> Result<Fma, GpuError> {
-    let library = lab.library().clone().with("passes/probe_fma", include_str!("probe_fma.wgsl"));
-    let mut rig = Runtime::new(lab.gpu().clone(), library);
-    let step = 2f32.powi(-12);
-    rig.upload("words", &[1.0 + step, 1.0 + step, -1.0 - 2.0 * step])?;
-    let mut recording = Recording::default();
-    recording.run(&PROBE_FMA, Size::Items(1));
-    rig.play(&recording)?;
-    Ok(if rig.read_some::<f32>("words", 1)?[0] == 0.0 { Fma::Unfused } else { Fma::Fused })
+pub fn device_fma(gpu: &Gpu) -> Fma {
+    if gpu.rounds_twice() { Fma::Unfused } else { Fma::Fused }
 }
 
 /// A runtime that has a tree and traces rays in it.

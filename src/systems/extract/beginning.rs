@@ -3,15 +3,10 @@
 use bevy_ecs::prelude::*;
 
 use super::step::Step;
-use crate::components::Film;
-use crate::systems::resources::{Device, DoneBefore, FilmProgress, Spent};
+use crate::systems::resources::{Device, DoneBefore, Spent, film_has_not_begun};
 
 pub fn add_systems(schedule: &mut Schedule) {
     schedule.add_systems(note_beginning.run_if(film_has_not_begun).in_set(Step::Beginning));
-}
-
-fn film_has_not_begun(progress: Single<&FilmProgress, With<Film>>) -> bool {
-    !progress.begun
 }
 
 /// Takes note of the counts, before anything is sent or built for the film.

@@ -3,6 +3,7 @@
 use bevy_ecs::prelude::*;
 use glam::UVec2;
 
+use crate::components::Film;
 use crate::layout::view::ViewMode;
 use crate::passes::lattice::{Lattice, corners, refinement};
 
@@ -127,6 +128,11 @@ impl FilmProgress {
             self.samples += batch.layers;
         }
     }
+}
+
+/// To be a system's condition: the film has no room yet, and no sample.
+pub fn film_has_not_begun(progress: Single<&FilmProgress, With<Film>>) -> bool {
+    !progress.begun
 }
 
 /// The samples this run of the schedule adds.

@@ -12,7 +12,7 @@ mod tiles;
 
 pub use compiling::CompileListener;
 pub use device::{Budget, Device, Frame, Live, ProbeChosen, Probing, Robust, Spent, Tree, TreeBuilder, Viewed};
-pub use film::{Batch, FilmProgress, Sweep, TileBatch};
+pub use film::{Batch, FilmProgress, Sweep, TileBatch, film_has_not_begun};
 pub use governor::Governor;
 pub use points::point_names;
 pub use scene::{

@@ -6,12 +6,12 @@ use std::time::{Duration, Instant};
 use glam::{UVec2, Vec4};
 
 use super::probes::BINS;
-use crate::app::shared::memory;
 use crate::cpu::probe::Histogram;
 use crate::engine::{DebugRange, Engine, EngineError, Inspected, Report};
 use crate::gpu::PassTiming;
 use crate::passes::debug::DEBUG;
 use crate::passes::probe::PROBE_COLOURS;
+use crate::process;
 
 /// Time between two readings of the film, at least.
 const FILM: Duration = Duration::from_secs(1);
@@ -88,7 +88,7 @@ impl Readings {
             samples_per_second: 0.0,
             rays_per_second: 0.0,
             report: None,
-            process_peak: memory::peak(),
+            process_peak: process::peak(),
             error: None,
             curve: Vec::new(),
             passes: Vec::new(),
@@ -220,7 +220,7 @@ impl Readings {
             self.rays_per_second = self.samples_per_second * rays_per_sample;
         }
         self.count_passes(&report);
-        self.process_peak = memory::peak();
+        self.process_peak = process::peak();
         self.report = Some(report);
         self.film_cost = begin.elapsed();
         Ok(())

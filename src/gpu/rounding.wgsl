@@ -4,6 +4,6 @@
 @group(0) @binding(0) var<storage, read_write> words: array<f32>;
 
 @compute @workgroup_size(1)
-fn probe_fma() {
+fn ask() {
     words[0] = fma(words[0], words[1], words[2]);
 }
