@@ -12,7 +12,7 @@ from surface import nearest
 # Where the lips of the front and the rear arch begin and end where no rounded corner does it, in degrees from straight ahead over the top.
 ENDS = ((-29, 209), (-29, 209.5))
 # Radius of a lip, in how many steps it turns, and how wide it is across, radius included; and over how many degrees that of an arch grows from nothing at its ends.
-RADIUS, BENDS, WIDE, MOUTH_RADIUS, GROWS = .010, 6, .024, .008, 7.0
+RADIUS, BENDS, WIDE, MOUTH_RADIUS, GROWS = .010, 6, .024, .012, 7.0
 # Of the vane in the side intake: how far behind the opening, how long and how thick.
 VANE_BACK, VANE_LONG, VANE_THICK = .034, .085, .007
 # How far in the return of an arch reaches, where the liner begins.

@@ -8,6 +8,8 @@ from panels import DEPTH, LIP, MOUTHS
 # Which way the intakes of the nose lead, and those of the sides; how deep the walls of their ducts go, where the mesh is, and the end.
 BACK, INWARDS = (0, -.10, -1.0), (-.90, 0, -.44)
 NOSE_WALL, NOSE_MESH, NOSE_END, SIDE_WALL = .085, .062, .15, .20
+# How far behind the skin the walls of the nose begin, below the rolled lips.
+LIPPED = .012
 PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "handle")
 
 
@@ -77,7 +79,7 @@ def openings(skin):
     """The ducts behind the openings of the nose and of the sides: walls, and darkness at the end; the mesh of the nose is one for all."""
     out = []
     for name in MOUTHS:
-        walls = skin.part(name + "_walls", "trim_black", {name}, fold=NOSE_WALL, lip=.004, walls=True, into=BACK)
+        walls = skin.part(name + "_walls", "trim_black", {name}, offset=-LIPPED, fold=NOSE_WALL - LIPPED, lip=.004, walls=True, into=BACK)
         out += [both(walls)] if name == "centre_intake" else pair(walls)
     into = np.array(INWARDS)
     walls = skin.part("intake_walls", "trim_black", {"intake"}, fold=SIDE_WALL, lip=.004, walls=True, into=into)
