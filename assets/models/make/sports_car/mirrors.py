@@ -14,6 +14,11 @@ RINGS = ((0, .106, .047, 0, 0), (.010, .111, .052, 0, 0), (.035, .112, .053, .00
 TURN = .20
 # How many points a ring has; the first half of them lies above.
 STEPS = 20
+# From the door's upper corner outwards and up into the housing: the middle of each ring, and half as long and as thick.
+ARM = (((.800, .782, .700), .027, .0075), ((.826, .792, .699), .025, .0065), ((.862, .803, .697), .024, .006), ((.905, .816, .695), .025, .0065), ((.945, .832, .694), .030, .008),
+       ((.965, .846, .694), .034, .010))
+# The foot that it stands on, lower and wider by a gap's step: its rings from below the skin up.
+FOOT = (((.786, .758, .700), .036, .012), ((.794, .777, .700), .036, .012), ((.797, .7795, .700), .033, .0095), ((.7975, .780, .700), .028, .006))
 
 
 def ring(ahead, half, high, inwards, down, steps=STEPS):
@@ -36,13 +41,6 @@ def pane():
     glass = smooth("mirror_pane", "mirror", deep, [list(range(len(edge)))[::-1]], 30)
     bezel = oriented(sweep("mirror_bezel", "gloss_black", edge, disk(.0060, 8), 60, closed=True))
     return [glass, bezel]
-
-
-# From the door's upper corner outwards and up into the housing: the middle of each ring, and half as long and as thick.
-ARM = (((.800, .782, .700), .027, .0075), ((.826, .792, .699), .025, .0065), ((.862, .803, .697), .024, .006), ((.905, .816, .695), .025, .0065), ((.945, .832, .694), .030, .008),
-       ((.965, .846, .694), .034, .010))
-# The foot that it stands on, lower and wider by a gap's step: its rings from below the skin up.
-FOOT = (((.786, .758, .700), .036, .012), ((.794, .777, .700), .036, .012), ((.797, .7795, .700), .033, .0095), ((.7975, .780, .700), .028, .006))
 
 
 def stalk(name, material, rings):

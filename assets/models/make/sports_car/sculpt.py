@@ -15,7 +15,7 @@ SCOOP_LINES = ((-.90, -.55, -.20, .10), (.737, .711, .690, .673), (.430, .400, .
 SCOOP_TOP, SCOOP_FOOT, SCOOP_WALL = .034, .018, .042
 # The opening of the side intake: z of its front and of its rear edge by height. Behind it the surface stands out as a blade; how far, and how far this runs out.
 OPENING = ((.42, .70), (-.560, -.618), (-.705, -.815))
-BLADE, BLADE_RUN = .014, .24
+BLADE, BLADE_RUN = .017, .24
 
 
 def bump(x):
@@ -54,7 +54,7 @@ def flare(p):
         r, turn = np.hypot(z - centre, y - height), np.arctan2(y - height, z - centre)
         turn = np.where(turn < -np.pi / 2, turn + 2 * np.pi, turn)
         waves = lambda t: np.stack([f(k * (t - np.pi / 2) / 1.5) for k in range(WAVES) for f in (np.cos, np.sin) if k or f is np.cos], 1)
-        near = (np.abs(r - radius) < NEAR) & (x > .6)
+        near = (np.abs(r - radius) < NEAR) & (x > .85)
         terms = np.concatenate([waves(turn[near]), (r[near] - radius)[:, None] * waves(turn[near])], 1)
         weight = (1 - ((r[near] - radius) / NEAR) ** 2)[:, None]
         fit = np.linalg.lstsq(terms * weight, x[near] * weight[:, 0], rcond=1e-9)[0]

@@ -4,6 +4,7 @@ import numpy as np
 
 from mesh import smooth, unit
 from panels import ARCHES, FOOT, ROUND, corner
+from sculpt import step
 from shell import pair
 from skirt import border
 from surface import nearest
@@ -21,13 +22,8 @@ LOWERS, LOW, DEEPER, FOLLOWS, END = .10, .020, .018, 30, .008
 BEND, RISE = 6, 9
 
 
-def step(x):
-    x = np.clip(x, 0, 1)
-    return x * x * (3 - 2 * x)
-
-
 def turn_up(whole, k, way):
-    """The course from the lower edge round the corner and up the arch: points, and how high the blade is there; the way of the corner's foot is its first."""
+    """The course from the corner's foot round it and up the arch: points, and how high the blade is at each."""
     z, y, radius = ARCHES[k]
     centre, _ = corner(z, y, radius, way)
     middle = np.array((z, y))
