@@ -7,7 +7,7 @@ from panels import DEPTH, LIP, MOUTHS
 
 # Which way the intakes of the nose lead, and those of the sides; how deep the walls of their ducts go, where the mesh is, and the end.
 BACK, INWARDS = (0, -.10, -1.0), (-.90, 0, -.44)
-NOSE_WALL, NOSE_MESH, NOSE_END, SIDE_WALL = .085, .062, .15, .20
+NOSE_WALL, NOSE_MESH, NOSE_END, SIDE_WALL = .108, .088, .165, .20
 # How far behind the skin the walls of the nose begin, below the rolled lips.
 LIPPED = .012
 PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "handle")
