@@ -8,6 +8,8 @@ from mesh import unit
 CREASE = 13.0
 # Of the finest surface: how much evenness counts beside staying where it was. Waves shorter than about a quarter of a metre go.
 EVEN = 600.0
+# Of the wings and the bonnet so many times that, between these z, from where to where it grows and falls again.
+CALMER, CALM = 5.0, (.55, 1.0, 1.85, 2.15)
 # What is left of the error when the solver stops.
 DONE = 1e-9
 
@@ -62,12 +64,13 @@ def fair(points, faces, levels):
     laplacian = Laplacian(points, faces)
     even = EVEN * 16.0 ** (levels - 4)
     free = np.where(laplacian.fixed, 0.0, 1.0)
+    much = 1 + np.interp(points[:, 2], CALM, (0, CALMER - 1, CALMER - 1, 0))
     middle = np.abs(points[:, 0]) < 1e-7
     out = points.copy()
     for k in range(3):
         # Across the middle line a surface goes on to its mirror image, so that there x is 0, and even.
         held = middle if k == 0 else np.zeros(len(points), bool)
-        uneven = lambda v: free * np.where(held, 0, laplacian.transposed(np.where(held, 0, laplacian.times(v))))
+        uneven = lambda v: free * np.where(held, 0, laplacian.transposed(np.where(held, 0, much * laplacian.times(v))))
         move = lambda v: np.where(held, v, v + even * uneven(np.where(held, 0, v)))
         out[:, k] += solve(move, -even * uneven(points[:, k]))
     return np.round(out, 7)

@@ -7,13 +7,18 @@ from shapes import disk, oriented, soft_loft, squared, sweep
 from shell import pair
 
 # The middle of the pane, and of the rings behind it: how far ahead, half of the width and of the height, how far in and down.
-MIDDLE = (.985, .858, .645)
+MIDDLE = (1.000, .872, .645)
 RINGS = ((0, .106, .047, 0, 0), (.010, .111, .052, 0, 0), (.035, .112, .053, .001, .001), (.085, .106, .046, .006, .003), (.130, .097, .034, .013, .006),
          (.162, .088, .021, .020, .009), (.180, .081, .011, .025, .011), (.187, .074, .004, .029, .012))
 # How much further back the pane's outer edge lies, a metre of width, so that it looks at the driver.
 TURN = .20
 # How many points a ring has; the first half of them lies above.
 STEPS = 20
+# From the door's upper corner outwards and up into the housing: the middle of each ring, and half as long and as thick.
+ARM = (((.800, .782, .700), .027, .0075), ((.826, .792, .699), .025, .0065), ((.862, .803, .697), .024, .006), ((.905, .816, .695), .025, .0065), ((.945, .832, .694), .030, .008),
+       ((.965, .846, .694), .034, .010))
+# The foot that it stands on, lower and wider by a gap's step: its rings from below the skin up.
+FOOT = (((.786, .758, .700), .036, .012), ((.794, .777, .700), .036, .012), ((.797, .7795, .700), .033, .0095), ((.7975, .780, .700), .028, .006))
 
 
 def ring(ahead, half, high, inwards, down, steps=STEPS):
@@ -38,15 +43,18 @@ def pane():
     return [glass, bezel]
 
 
-def arm():
-    """From a foot at the door's upper corner, outwards and up into the housing."""
-    rings = []
-    for (x, y, z), along, thick in (((.790, .776, .700), .050, .016), ((.812, .783, .698), .046, .012), ((.850, .790, .695), .040, .009), ((.890, .798, .692), .036, .008),
-                                    ((.925, .810, .690), .036, .009), ((.950, .826, .690), .042, .012)):
+def stalk(name, material, rings):
+    out = []
+    for (x, y, z), along, thick in rings:
         u, v = squared(along, thick, .8, 12)
-        rings.append(np.stack([x - .4 * v, y + v, z + u], 1))
-    return soft_loft("mirror_arm", "gloss_black", rings, 1)
+        out.append(np.stack([x - .4 * v, y + v, z + u], 1))
+    return soft_loft(name, material, out, 1)
+
+
+def arm():
+    """A slender stalk on a foot of rubber."""
+    return [stalk("mirror_arm", "gloss_black", ARM), stalk("mirror_foot", "rubber", FOOT)]
 
 
 def all_parts():
-    return [side for part in [*shell(), *pane(), arm()] for side in pair(part)]
+    return [side for part in [*shell(), *pane(), *arm()] for side in pair(part)]

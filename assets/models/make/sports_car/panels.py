@@ -2,11 +2,14 @@
 
 import numpy as np
 
-from sculpt import FRONT_AXLE, REAR_AXLE
+from sculpt import FLARES, OPENING
 from fields import FRONT, SIDE, TOP, Outline, below, circle, curve, mirrored
 from weld import mend, weld
 
-ARCHES = ((FRONT_AXLE, .337, .366), (REAR_AXLE, .354, .383))
+# Of each arch: z and y of its axle, and its radius.
+ARCHES = tuple(row[:3] for row in FLARES)
+# Where sill and front bumper end at an arch, below: z is ahead of or behind the axle; the height of the lower edge and the radius of the corner.
+CORNERS, FOOT, ROUND = ((0, 1), (0, -1), (1, 1)), .115, .024
 # How wide every shut line is, the rounding of its two lips included; their radius, and how deep its floor lies.
 GAP, LIP, DEPTH = .009, .002, .012
 
@@ -34,29 +37,23 @@ DAYLIGHT = [*curve([(.870, .786), (.690, .860), (.470, .944), (.220, 1.028), (.0
             *curve([(-.662, .850), (-.470, .834), (-.230, .809), (.070, .796), (.470, .783), (.770, .778)], 4)]
 REAR_WINDOW = mirrored([(0, -.420), (.34, -.435), (.375, -.480), (.335, -.750), (.30, -.775), (0, -.775)])
 # It ends ahead at the bumper, behind at the cowl.
-BONNET = mirrored([(0, 2.5), *curve([(.602, 2.5), (.596, 2.20), (.596, 1.98), (.600, 1.76), (.592, 1.54), (.600, 1.34), (.610, 1.20), (.607, 1.10), (.592, 1.042)], 5),
+BONNET = mirrored([(0, 2.5), *curve([(.602, 2.5), (.596, 2.20), (.600, 1.98), (.618, 1.7445), (.6035, 1.532), (.6035, 1.418), (.609, 1.309), (.617, 1.208), (.613, 1.11), (.592, 1.042)], 5),
                    *curve([(.558, 1.006), (.512, 1.026), (.430, 1.080), (.30, 1.122), (.16, 1.146), (0, 1.153)], 5)])
 # Beside the bonnet it is as wide as between that and the glass, and ends round where the glass turns up.
 COWL = mirrored([(0, 1.170), *curve([(.16, 1.163), (.30, 1.139), (.440, 1.094), (.520, 1.048), (.562, 1.004), (.584, .950), (.588, .905), (.576, .872), (.548, .858)], 5), (.50, .86), (0, .86)])
 LAMP = [*curve([(.598, 2.092), (.700, 2.062), (.785, 1.988), (.838, 1.893), (.862, 1.785), (.864, 1.640)], 5)[:-1],
         *curve([(.864, 1.640), (.800, 1.735), (.732, 1.838), (.660, 1.960), (.598, 2.092)], 5)[:-1]]
 DOOR = [(.890, 1.4), (.890, .76), (.915, .62), (.905, .44), (.865, .250), (.80, .163), (-.24, .163), (-.345, .250), (-.395, .43), (-.420, .60), (-.45, .78), (-.45, 1.4)]
-# It begins beside the door's trailing edge; its upper edge runs along the shoulder line, its lower one along the crease above the sill.
-INTAKE = [(-.474, .678), (-.858, .704), (-.812, .560), (-.735, .440), (-.650, .388), (-.434, .380)]
-INTAKE_CORNERS = (.022, .022, .12, .12, .05, .022)
-# Half as high as its vane, whose middle is at this height at the front edge, and how it rises to the rear.
-VANE = (.011, .535, .06)
+# Its front edge lies on the floor of the scoop, its rear edge is the blade's; above and below it ends at the scoop's walls.
+INTAKE = [(OPENING[1][1], .672), (OPENING[2][1], .690), (OPENING[2][0], .443), (OPENING[1][0], .426)]
+INTAKE_CORNERS = (.028, .022, .050, .030)
 # Height of the seam above the front bumper, by x: from the bonnet's edge through the lamp to the arch.
 BUMPER = curve([(0, .472), (.25, .474), (.45, .486), (.60, .512), (.75, .536), (.83, .524), (.88, .500), (.93, .475), (.99, .455), (1.2, .448)], 6)
 REAR_BUMPER = [(-1.2, .60), (-1.72, .60), (-1.90, .598), (-2.7, .590), (-2.7, -.5), (-1.2, -.5)]
 CENTRE_INTAKE = mirrored([(0, .318), (.30, .317), (.552, .304), (.508, .154), (.30, .149), (0, .149)])
-OUTER_INTAKE = [(.634, .299), (.740, .322), (.862, .352), (.876, .320), (.858, .200), (.820, .168), (.594, .158)]
-# Of each intake of the nose: its outline and the heights of its bars.
-MOUTHS = {"centre_intake": (CENTRE_INTAKE, (.228,)), "outer_intake": (OUTER_INTAKE, (.235,))}
-# How its corners are rounded.
-CORNER = .018
-# How wide the frame of such an intake is, and how deep it leads.
-FRAME, FUNNEL = .014, .022
+OUTER_INTAKE = [(.634, .299), (.745, .322), (.868, .352), (.852, .166), (.594, .158)]
+# The intakes of the nose, and how their corners are rounded.
+MOUTHS = {"centre_intake": (CENTRE_INTAKE, .022), "outer_intake": (OUTER_INTAKE, (.022, 0, .034, .046, .022))}
 # The band of light across the tail, and how deep the walls go behind its lens.
 TAIL_LAMP, LAMP_DEPTH = mirrored([(0, .780), (.45, .778), (.64, .771), (.788, .759), (.788, .722), (.64, .716), (.45, .714), (0, .714)]), .050
 # The lower edge of the rear bumper.
@@ -84,6 +81,23 @@ def bumper(p):
     return (p[:, 1] - np.interp(p[:, 0], *BUMPER.T)) * np.interp(p[:, 0], (0, .6, .85, .96), (2.4, 2.2, 1.6, .9))
 
 
+def corner(z, y, radius, way):
+    """Where the corner between a lower edge and an arch is taken off: the centre of its rounding, and a field that is negative there."""
+    rise = y - FOOT - ROUND
+    centre = np.array((z + way * np.sqrt((radius + ROUND) ** 2 - rise ** 2), FOOT + ROUND))
+    down, across = np.array((0, -1.0)), np.array((z, y)) - centre
+    across /= np.hypot(*across)
+    # A point as so much of one way and so much of the other.
+    split = np.linalg.inv(np.stack([down, across], 1))
+
+    def field(p):
+        off = p[:, [2, 1]] - centre
+        far = np.hypot(*off.T)
+        return np.maximum(np.maximum(ROUND - far, far - 4 * ROUND), .0005 - (off @ split.T).min(1))
+
+    return centre, field
+
+
 def windows(skin):
     pick = lambda where, label: (lambda t, l: l == label and where(t, l))
     for name, outline, axes, where, radius in (
@@ -102,6 +116,8 @@ def cut(skin):
     windows(skin)
     for z, y, r in ARCHES:
         skin.region("hole", circle((z, y), r), side)
+    for k, way in CORNERS:
+        skin.region("hole", corner(*ARCHES[k], way)[1], lambda t, l: side(t, l) and l == "body")
     pick = lambda where, label: (lambda t, l: l == label and where(t, l))
     skin.panel("bonnet", Outline(BONNET, TOP, .02), hood, GAP)
     skin.region("cowl", Outline(COWL, TOP, .02), lambda t, l: l == "body" and t[0] == "top" and 2 < t[1] < 8 and t[2] < 4)
@@ -119,12 +135,8 @@ def cut(skin):
     skin.region("louvre_bay", louvres, pick(deck, "louvre_frame"), -LOUVRE_FRAME)
     skin.region("intake", Outline(INTAKE, SIDE, INTAKE_CORNERS), pick(side, "body"))
     skin.panel("handle", Outline(HANDLE, SIDE, .010), flank, GAP * .8, ("door",))
-    for name, (outline, bars) in MOUTHS.items():
-        hole = Outline(outline, FRONT, CORNER)
-        skin.region(name + "_frame", hole, pick(face, "bumper"), FRAME)
-        skin.region(name, hole, pick(face, name + "_frame"))
-        for y in bars:
-            skin.region(name + "_bar", lambda p: np.abs(p[:, 1] - y - .05 * (p[:, 0] > .45) * (p[:, 0] - .45)) - .006, pick(face, name))
+    for name, (outline, radius) in MOUTHS.items():
+        skin.region(name, Outline(outline, FRONT, radius), pick(face, "bumper"))
     skin.panel("tail_lamp", Outline(TAIL_LAMP, FRONT, .018), tail_wide, GAP)
     skin.region("diffuser", Outline(DIFFUSER, FRONT), pick(tail_wide, "tail_bumper"))
     for _ in range(2):

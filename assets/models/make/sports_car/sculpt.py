@@ -1,11 +1,21 @@
-"""What the cage is too coarse for, as movements of a dense surface: flared arches, and the sills that roll under."""
+"""What the cage is too coarse for, as movements of a dense surface: flared arches, sills that roll under, and the scoops that lead into the side intakes."""
 
 import numpy as np
 
 FRONT_AXLE, REAR_AXLE = 1.325, -1.325
-# Of each arch: where its axle is, its height, its radius, how far it flares, how wide the flare runs out, and how much more it is above the wheel and
-# behind it, where the body leans in.
-FLARES = ((FRONT_AXLE, .337, .366, .030, .21, .65, 0), (REAR_AXLE, .354, .383, .027, .22, 0, .55))
+# Of each arch: where its axle is and how high, its radius, the x at which all of its edge lies, how much less of that there is low behind the wheel, and how
+# wide the flare runs out.
+FLARES = ((FRONT_AXLE, .329, .374, .990, .004, .26), (REAR_AXLE, .346, .391, .998, .005, .25))
+# What of the edge's course follows from the surface around: waves up to so many a turn, seen so near.
+WAVES, NEAR = 4, .05
+# The scoop: where it begins and is deepest, and how deep; z, and the heights of the shoulder line and of the crease above the sill, between which it lies.
+SCOOP_FROM, SCOOP_TO, SCOOP_DEEP = .10, -.66, .066
+SCOOP_LINES = ((-.90, -.55, -.20, .10), (.737, .711, .690, .673), (.430, .400, .350, .310))
+# How far from these lines its walls begin, above and below, and how wide they are.
+SCOOP_TOP, SCOOP_FOOT, SCOOP_WALL = .034, .018, .042
+# The opening of the side intake: z of its front and of its rear edge by height. Behind it the surface stands out as a blade; how far, and how far this runs out.
+OPENING = ((.42, .70), (-.560, -.618), (-.705, -.815))
+BLADE, BLADE_RUN = .017, .24
 
 
 def bump(x):
@@ -25,14 +35,40 @@ def rocker(y, z):
     return -.035 * step((1.05 - np.abs(z)) / .25) * step((.175 - y) / .070)
 
 
-def sculpt(p):
+def scoop(y, z):
+    """How far the door's rear and what follows it are drawn in, and out again behind the opening."""
+    shoulder, foot = (np.interp(z, SCOOP_LINES[0], line) for line in SCOOP_LINES[1:])
+    inside = step((shoulder - SCOOP_TOP - y) / SCOOP_WALL) * step((y - foot - SCOOP_FOOT) / SCOOP_WALL)
+    front, rear = (np.interp(y, OPENING[0], edge) for edge in OPENING[1:])
+    deep = step((SCOOP_FROM - z) / (SCOOP_FROM - SCOOP_TO)) * step((z - rear - .040) / (front - rear - .060))
+    blade = step((shoulder - .012 - y) / .10) * step((y - foot + .03) / .10) * bump((z - rear - .02) / np.where(z > rear + .02, .3, BLADE_RUN))
+    return blade * BLADE * step((rear + .12 - z) / .08) - inside * deep * SCOOP_DEEP
+
+
+def flare(p):
+    """The surface with the edges of its arches in planes."""
     x, y, z = p.T
     side = step((x - .62) / .30)
-    out = rocker(y, z) * (x > .7)
-    for centre, height, radius, flare, wide, above, behind in FLARES:
-        r = np.maximum(np.hypot(z - centre, y - height), 1e-9)
-        more = 1 + above * np.clip((y - height) / r, 0, 1) ** 2 + behind * np.clip((centre - z) / r, 0, 1) ** 2
-        out += side * flare * more * bump((r - radius) / wide) * (.7 + .3 * step((y - .12) / .15))
+    out = np.zeros(len(p))
+    for centre, height, radius, edge, less, wide in FLARES:
+        r, turn = np.hypot(z - centre, y - height), np.arctan2(y - height, z - centre)
+        turn = np.where(turn < -np.pi / 2, turn + 2 * np.pi, turn)
+        waves = lambda t: np.stack([f(k * (t - np.pi / 2) / 1.5) for k in range(WAVES) for f in (np.cos, np.sin) if k or f is np.cos], 1)
+        near = (np.abs(r - radius) < NEAR) & (x > .85)
+        terms = np.concatenate([waves(turn[near]), (r[near] - radius)[:, None] * waves(turn[near])], 1)
+        weight = (1 - ((r[near] - radius) / NEAR) ** 2)[:, None]
+        fit = np.linalg.lstsq(terms * weight, x[near] * weight[:, 0], rcond=1e-9)[0]
+        there = waves(turn) @ fit[:terms.shape[1] // 2]
+        goal = edge - less * step((turn - 2.6) / .9)
+        out += side * (goal - there) * bump((r - radius) / wide)
     p = p.copy()
+    p[:, 0] += out
+    return p
+
+
+def sculpt(p):
+    p = flare(p)
+    x, y, z = p.T
+    out = (rocker(y, z) + scoop(y, z)) * (x > .7)
     p[:, 0] += out
     return p

@@ -2,12 +2,14 @@
 
 import numpy as np
 
-from mesh import joined
-from fields import FRONT, Outline
-from panels import CORNER, DEPTH, FRAME, FUNNEL, LIP, MOUTHS
+from mesh import joined, unit
+from panels import DEPTH, LIP, MOUTHS
 
-# Which way the intakes of the nose lead.
-BACK = (0, -.10, -1.0)
+# Which way the intakes of the nose lead, and those of the sides; how deep the walls of their ducts go, where the mesh is, and the end.
+BACK, INWARDS = (0, -.10, -1.0), (-.90, 0, -.44)
+NOSE_WALL, NOSE_MESH, NOSE_END, SIDE_WALL = .108, .088, .165, .20
+# How far behind the skin the walls of the nose begin, below the rolled lips.
+LIPPED = .012
 PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "handle")
 
 
@@ -66,34 +68,23 @@ def linings(rough):
     cards = rough.part("door_cards", "leather", {"body"}, offset=-.05, pick=doors)
     bay = rough.part("lid_inside", "gap_black", {"body"}, offset=-.045, pick=engine)
     mouth = lambda t: t[0] == "front"
-    # Straight back, below the bonnet, and hardly in from the sides, so that it fills the openings.
-    back = lambda far: (lambda p, n: p * (.988, 1, 1) + far * np.array(BACK))
-    mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, shift=back(.048), pick=mouth)), (0, 1), 14)
-    dark = both(rough.part("intake_back", "gap_black", {"body"}, shift=back(.14), pick=mouth))
+    # Straight back, below the bonnet, and a little in from the sides, so that it fills the openings and stays below the skin.
+    back = lambda far: (lambda p, n: p * (.968, 1, 1) + far * np.array(BACK))
+    mesh = planar(both(rough.part("intake_mesh", "grille", {"body"}, shift=back(NOSE_MESH), pick=mouth)), (0, 1), 14)
+    dark = both(rough.part("intake_back", "gap_black", {"body"}, shift=back(NOSE_END), pick=mouth))
     return [mesh, dark, both(lining.flipped()), both(posts.flipped()), both(cards.flipped()), both(bay)]
 
 
-def mouths(skin):
-    """The intakes of the nose: frames that lead inwards, bars, and walls behind; the mesh is one for all."""
-    out = []
-    for name, (outline, _) in MOUTHS.items():
-        hole = Outline(outline, FRONT, CORNER)
-        funnel = lambda p: -.002 - FUNNEL * (1 - np.clip(hole(p) / FRAME, 0, 1))
-        row = [skin.part(name + "_frame", "paint", {name + "_frame"}, offset=funnel, fold=.02, lip=.005),
-               skin.part(name + "_bars", "gloss_black", {name + "_bar"}, offset=-FUNNEL - .008, fold=.03, lip=.003, into=BACK),
-               skin.part(name + "_walls", "trim_black", {name, name + "_bar"}, offset=-FUNNEL, fold=.06, lip=.004, walls=True, into=BACK)]
-        for part in row:
-            out += [both(part)] if name == "centre_intake" else pair(part)
-    return out
-
-
 def openings(skin):
-    """Walls, meshes and darkness behind the holes."""
-    into = np.array((-1.0, 0, 0))
-    push = lambda far: (lambda p, n: p + far * into)
-    out = pair(skin.part("intake_walls", "trim_black", {"intake"}, fold=.22, lip=.004, walls=True, into=into))
-    out += pair(planar(skin.part("intake_mesh", "grille", {"intake"}, shift=push(.14)), (2, 1), 14))
-    return mouths(skin) + out + pair(skin.part("intake_back", "gap_black", {"intake"}, shift=push(.22)))
+    """The ducts behind the openings of the nose and of the sides: walls, and darkness at the end; the mesh of the nose is one for all."""
+    out = []
+    for name in MOUTHS:
+        walls = skin.part(name + "_walls", "trim_black", {name}, offset=-LIPPED, fold=NOSE_WALL - LIPPED, lip=.004, walls=True, into=BACK)
+        out += [both(walls)] if name == "centre_intake" else pair(walls)
+    into = np.array(INWARDS)
+    walls = skin.part("intake_walls", "trim_black", {"intake"}, fold=SIDE_WALL, lip=.004, walls=True, into=into)
+    end = skin.part("intake_back", "gap_black", {"intake"}, shift=lambda p, n: p + SIDE_WALL * unit(into))
+    return out + pair(walls) + pair(end)
 
 
 def lamps(skin):

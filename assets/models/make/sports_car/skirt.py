@@ -1,4 +1,4 @@
-"""The lower edge of the body: one dark band all round, as high everywhere and set in as far, that only the wheels and the diffuser interrupt."""
+"""The lower edge of the body behind the rear wheels: a dark band, as high everywhere and set in as far, up to the diffuser."""
 
 import numpy as np
 
@@ -52,7 +52,7 @@ def all_parts(whole):
     path = border(whole)
     along = unit(np.gradient(path, axis=0))
     out = unit(np.stack([-along[:, 2], 0 * along[:, 0], along[:, 0]], 1))
-    keep = (path[:, 2] > -1.8) | (path[:, 0] > DIFFUSER[:, 0].max())
+    keep = (path[:, 2] < ARCHES[1][0]) & (path[:, 0] > DIFFUSER[:, 0].max())
     for z, y, r in ARCHES:
         keep &= np.hypot(path[:, 2] - z, path[:, 1] - y) > r + CLEAR
     return pair(joined("skirt", [band(path[run], out[run]) for run in runs(keep) if run.stop - run.start > 2]))

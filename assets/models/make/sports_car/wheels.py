@@ -56,6 +56,6 @@ def wheel(kind, name, at, side, steer=0.0):
 def wheels():
     out = []
     for side, word in ((1, "left"), (-1, "right")):
-        out += wheel(FRONT_WHEEL, "front_" + word, (side * .832, .329, 1.325), side)
-        out += wheel(REAR_WHEEL, "rear_" + word, (side * .810, .346, -1.325), side)
+        out += wheel(FRONT_WHEEL, "front_" + word, (side * .844, .329, 1.325), side)
+        out += wheel(REAR_WHEEL, "rear_" + word, (side * .822, .346, -1.325), side)
     return out
