@@ -8,7 +8,7 @@ from panels import CORNER, DEPTH, FRAME, FUNNEL, LIP, MOUTHS
 
 # Which way the intakes of the nose lead.
 BACK = (0, -.10, -1.0)
-PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "handle")
+PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "engine_lid", "handle")
 
 
 def both(part, name=None):
