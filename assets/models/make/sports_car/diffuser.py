@@ -15,8 +15,8 @@ FOOT = .012
 AHEAD = ((0, .54, .62, .72), (-1.46, -1.46, -1.74, -1.76), (.124, .124, .150, .160))
 # From the valance's foot ahead: parts of the way, and of the fall.
 RUN, FALL = (0, .15, .30, .45, .60, .75, .88, 1), (0, .22, .43, .61, .76, .88, .96, 1)
-# The fins: their middles, half as thick, the height of their foot at the rear, and z and height of where they begin.
-FINS, FIN_HALF, FIN_FOOT, FIN_START = (-.345, -.115, .115, .345), .007, .158, (-1.80, .158)
+# The fins: their middles, half of their thickness, the height of their foot at the rear, and z and height of where they leave the floor.
+FINS, FIN_HALF, FIN_FOOT, FIN_START = (-.345, -.115, .115, .345), .007, .158, (-1.86, .192)
 
 
 def flat(directions):
@@ -40,7 +40,6 @@ def foot(skin):
 
 def floor(edge):
     """From the valance's foot, round, to the floor below the engine."""
-    rows = [edge.points + (0, 0, 0)]
     rows = [edge.points - np.array((0, FOOT * np.sin(a), 0)) - flat(edge.out) * FOOT * (1 - np.cos(a)) for a in np.linspace(0, np.pi / 2, 4)]
     start = rows[-1]
     z, y = (np.interp(np.abs(start[:, 0]), AHEAD[0], row) for row in AHEAD[1:])
@@ -72,7 +71,7 @@ def fin(edge, x):
     rear, high = (np.interp(abs(x), edge.points[order, 0], edge.points[order, k]) for k in (2, 1))
     top = high - FOOT + .004
     z, y = FIN_START
-    outline = [(rear + .004, top), (rear + .004, FIN_FOOT), (z, y), (z, y + .04)]
+    outline = [(rear + .004, top), (rear + .004, FIN_FOOT), (z, y), (z, y + .02)]
     return slab("fins", "rim", outline, x, FIN_HALF)
 
 

@@ -13,8 +13,8 @@ SLATS, SHARE, FALL, BOW = 7, .60, .020, .012
 # Of a slat: where along its chord from the rear (0 to 1), and the height of its upper and of its lower side. The rear edge is round.
 UPPER = ((0, -.007), (.004, -.003), (.03, -.0005), (.10, 0), (.55, 0), (.92, -.002), (1, -.007))
 LOWER = ((.92, -.012), (.10, -.014), (.03, -.0135), (.004, -.011))
-# How deep the opening is.
-DEEP = .042
+# How deep the opening is, and how far the slats end from its walls.
+DEEP, ENDS = .042, .0055
 DOWN = (0, -1.0, 0)
 
 
@@ -26,16 +26,17 @@ def half_width(z):
 
 
 def slat(skin, rear, chord):
-    """One slat, whose rear edge lies at z, flush with the deck; its ends are let into the frame."""
+    """One slat, whose rear edge lies at z, flush with the deck."""
     points = []
     rows = np.linspace(-1, 1, 13)
     for across in rows:
         for t, high in UPPER + LOWER:
             z = rear + t * chord - BOW * (1 - across * across)
-            x = across * (half_width(rear) - LOUVRE_FRAME + .006)
+            x = across * (half_width(z) - LOUVRE_FRAME - ENDS)
             points.append(on_top(skin, x, z, high - .003 - FALL * max(0, t - .1) ** 1.3))
     n, m = len(rows), len(UPPER + LOWER)
     faces = [[i * m + k, (i + 1) * m + k, (i + 1) * m + (k + 1) % m, i * m + (k + 1) % m] for i in range(n - 1) for k in range(m)]
+    faces += [list(range(m))[::-1], list(range((n - 1) * m, n * m))]
     return oriented(smooth("louvres", "paint", points, faces, 50))
 
 
