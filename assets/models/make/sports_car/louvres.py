@@ -1,52 +1,55 @@
-"""The louvres of the engine cover: a frame around one opening, and slats in it that follow the deck, each a wing that falls towards its front."""
+"""The louvres in the engine lid: a frame around one opening, slats that are set into it, and the engine's cover below them."""
 
 import numpy as np
 
 from mesh import joined, smooth
-from panels import LOUVRES, LOUVRE_DEPTH, LOUVRE_FRAME
-from fields import TOP, Outline
+from panels import LOUVRES, LOUVRE_FRAME
 from shapes import oriented
 from shell import both
 from surface import on_top
 
-# How many slats, how long one is, and how much lower its front edge lies than its rear edge.
-SLATS, CHORD, FALL = 7, .098, .030
-# Of a slat: where along the chord from the rear (0 to 1), and the height of its upper and of its lower side.
-UPPER = ((0, -.001), (.02, .0025), (.07, .0045), (.30, .006), (.65, .004), (.93, .001), (1, -.002))
-LOWER = ((.93, -.005), (.3, -.004), (.03, -.004))
+# How many slats; of the pitch, how much is slat; how much lower its front edge lies than its rear edge; and how far it bows to the rear in the middle.
+SLATS, SHARE, FALL, BOW = 7, .60, .020, .012
+# Of a slat: where along its chord from the rear (0 to 1), and the height of its upper and of its lower side. The rear edge is round.
+UPPER = ((0, -.007), (.004, -.003), (.03, -.0005), (.10, 0), (.55, 0), (.92, -.002), (1, -.007))
+LOWER = ((.92, -.012), (.10, -.014), (.03, -.0135), (.004, -.011))
+# How deep the opening is, and how far the slats end from its walls.
+DEEP, ENDS = .042, .0055
+DOWN = (0, -1.0, 0)
 
 
 def half_width(z):
-    """Half of the opening's width."""
+    """Half of the opening's width, frame included."""
     edge = LOUVRES[LOUVRES[:, 0] > 0]
     order = np.argsort(edge[:, 1])
     return np.interp(z, edge[order, 1], edge[order, 0])
 
 
-def slat(skin, rear):
-    """One slat, whose rear edge lies at z, flush with the deck; its ends go on below the frame."""
+def slat(skin, rear, chord):
+    """One slat, whose rear edge lies at z, flush with the deck."""
     points = []
     rows = np.linspace(-1, 1, 13)
     for across in rows:
         for t, high in UPPER + LOWER:
-            z = rear + t * CHORD
-            x = across * (half_width(z) - .004)
-            points.append(on_top(skin, x, z + .030 * (1 - across * across), high - .004 - FALL * t ** 1.4))
+            z = rear + t * chord - BOW * (1 - across * across)
+            x = across * (half_width(z) - LOUVRE_FRAME - ENDS)
+            points.append(on_top(skin, x, z, high - .003 - FALL * max(0, t - .1) ** 1.3))
     n, m = len(rows), len(UPPER + LOWER)
     faces = [[i * m + k, (i + 1) * m + k, (i + 1) * m + (k + 1) % m, i * m + (k + 1) % m] for i in range(n - 1) for k in range(m)]
-    # Its ends, below the frame, stay open.
-    return oriented(smooth("louvres", "paint", points, faces, 65))
+    faces += [list(range(m))[::-1], list(range((n - 1) * m, n * m))]
+    return oriented(smooth("louvres", "paint", points, faces, 50))
 
 
 def frame(skin):
-    """The slope that leads from the deck into the opening, and walls below it."""
-    hole = Outline(LOUVRES, TOP, .035)
-    slope = lambda p: -.001 - LOUVRE_DEPTH * np.clip(-hole(p) / LOUVRE_FRAME, 0, 1)
-    return [both(skin.part("louvre_frame", "gloss_black", {"louvre_frame"}, offset=slope, fold=.006, into=(0, -1, 0))),
-            both(skin.part("louvre_walls", "trim_black", {"louvre_bay"}, offset=-LOUVRE_DEPTH, fold=.07, lip=.003, walls=True, into=(0, -1, 0)))]
+    """A dark rim that stands a little above the lid, and walls down to the cover."""
+    rim = skin.part("louvre_frame", "gloss_black", {"louvre_frame"}, offset=.0015, fold=DEEP, lip=.003, into=DOWN)
+    cover = skin.part("engine_cover", "trim_black", {"louvre_bay"}, shift=lambda p, n: p + DEEP * np.array(DOWN))
+    return [both(rim), both(cover)]
 
 
 def all_parts(skin, whole):
-    first, last = LOUVRES[:, 1].min() + LOUVRE_FRAME + .004, LOUVRES[:, 1].max() - LOUVRE_FRAME - .030 - .040
-    rears = np.linspace(first, last - .030, SLATS)
-    return frame(skin) + [joined("louvres", [slat(whole, z) for z in rears])]
+    first, last = LOUVRES[:, 1].min() + LOUVRE_FRAME, LOUVRES[:, 1].max() - LOUVRE_FRAME
+    # Gaps ahead of the first and behind the last slat are as wide as those between.
+    pitch = (last - first) / (SLATS + 1 - SHARE)
+    rears = first + pitch * (1 - SHARE) + pitch * np.arange(SLATS) + BOW / 2
+    return frame(skin) + [joined("louvres", [slat(whole, z, pitch * SHARE) for z in rears])]

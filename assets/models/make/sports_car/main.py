@@ -12,6 +12,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import cage
 import chassis
 import diffuser
+import exhausts
 import interior
 import land
 import lights
@@ -23,6 +24,7 @@ import mirrors
 import mtl
 import panels
 import plants
+import pocket
 import road
 import shell
 import sill
@@ -45,7 +47,8 @@ def main():
     panels.cut(skin)
     panels.cut_roughly(rough)
     parts = shell.all_parts(skin, rough) + lights.all_parts(whole) + tail.all_parts(skin, whole)
-    parts += louvres.all_parts(skin, whole) + diffuser.all_parts(skin) + skirt.all_parts(whole) + sill.all_parts(whole) + mirrors.all_parts() + wipers.all_parts(whole)
+    parts += louvres.all_parts(skin, whole) + diffuser.all_parts(skin) + pocket.all_parts(skin, whole) + exhausts.all_parts(skin, whole)
+    parts += skirt.all_parts(whole) + sill.all_parts(whole) + mirrors.all_parts() + wipers.all_parts(whole)
     parts += lips.all_parts(skin) + chassis.all_parts() + wheels.wheels() + interior.all_parts()
     for part in parts:
         if part.uvs is None and part.material in BOXED:

@@ -56,12 +56,16 @@ OUTER_INTAKE = [(.634, .299), (.745, .322), (.868, .352), (.852, .166), (.594, .
 MOUTHS = {"centre_intake": (CENTRE_INTAKE, .022), "outer_intake": (OUTER_INTAKE, (.022, 0, .034, .046, .022))}
 # The band of light across the tail, and how deep the walls go behind its lens.
 TAIL_LAMP, LAMP_DEPTH = mirrored([(0, .780), (.45, .778), (.64, .771), (.788, .759), (.788, .722), (.64, .716), (.45, .714), (0, .714)]), .050
-# The lower edge of the rear bumper.
-DIFFUSER = mirrored([(0, .402), (.58, .400), *curve([(.66, .392), (.715, .362), (.752, .310), (.775, .250)], 5), (.780, .05), (0, .05)])
+# The lower edge of the rear bumper, and the openings for the exhausts in the valance below it.
+DIFFUSER = mirrored([(0, .372), (.54, .370), *curve([(.615, .363), (.668, .338), (.698, .292), (.708, .235)], 5), (.710, .05), (0, .05)])
+EXHAUST, EXHAUST_CORNER = [(.378, .352), (.592, .348), (.604, .284), (.378, .282)], .026
+# The pocket of the number plate.
+POCKET = mirrored([(0, .570), (.288, .570), (.288, .410), (0, .410)])
 HANDLE = [(-.155, .700), (-.335, .713), (-.347, .700), (-.335, .687), (-.155, .674), (-.143, .687)]
-# The opening of the louvres, how wide and how deep the slope is that leads into it.
-LOUVRES = mirrored([(0, -.838), (.348, -.848), (.326, -1.05), (.318, -1.35), (.338, -1.690), (0, -1.700)])
-LOUVRE_FRAME, LOUVRE_DEPTH = .016, .012
+# The engine lid; in it the louvres' opening, its frame included, and how wide that is.
+LID = mirrored([(0, -.802), (.392, -.814), (.378, -1.05), (.374, -1.35), (.394, -1.752), (0, -1.764)])
+LOUVRES = mirrored([(0, -.842), (.346, -.852), (.332, -1.05), (.328, -1.35), (.346, -1.696), (0, -1.706)])
+LOUVRE_FRAME = .020
 
 
 def fine(tag):
@@ -131,7 +135,8 @@ def cut(skin):
     skin.region("rear_window_frit", glass, pick(deck, "rear_window_seal"), -.007)
     skin.region("rear_window", glass, pick(deck, "rear_window_frit"), -.028)
     louvres = Outline(LOUVRES, TOP, .035)
-    skin.region("louvre_frame", louvres, pick(deck, "body"))
+    skin.panel("engine_lid", Outline(LID, TOP, .045), deck, GAP)
+    skin.region("louvre_frame", louvres, pick(deck, "engine_lid"))
     skin.region("louvre_bay", louvres, pick(deck, "louvre_frame"), -LOUVRE_FRAME)
     skin.region("intake", Outline(INTAKE, SIDE, INTAKE_CORNERS), pick(side, "body"))
     skin.panel("handle", Outline(HANDLE, SIDE, .010), flank, GAP * .8, ("door",))
@@ -139,6 +144,8 @@ def cut(skin):
         skin.region(name, Outline(outline, FRONT, radius), pick(face, "bumper"))
     skin.panel("tail_lamp", Outline(TAIL_LAMP, FRONT, .018), tail_wide, GAP)
     skin.region("diffuser", Outline(DIFFUSER, FRONT), pick(tail_wide, "tail_bumper"))
+    skin.region("exhaust", Outline(EXHAUST, FRONT, EXHAUST_CORNER), pick(tail, "diffuser"))
+    skin.region("pocket", Outline(POCKET, FRONT, .022), pick(tail, "tail_bumper"))
     for _ in range(2):
         skin.coarsen()
     for _ in range(6):

@@ -35,13 +35,28 @@ def rocker(y, z):
     return -.035 * step((1.05 - np.abs(z)) / .25) * step((.175 - y) / .070)
 
 
+# The shoulder behind the rear wheels: its height at a z and how it falls to the rear; how far the flank below it is drawn in; from where that grows
+# and how long it does; from where it ends and how long that takes; and the same of how the way out of the body turns from the side to the rear.
+SHOULDER, FALLS, TUCK = (-1.36, .806), .066, .012
+GROWS, ENDS, TURNS = (-1.36, .42), (-1.90, .20), (-1.55, .60)
+# How far below its edge the flank is deepest, and where it is as before.
+DEEPEST, BEFORE = .034, .40
+
+
+def shoulder(y, z):
+    """How far the flank is drawn in below the shoulder: soon below its edge, and less and less further down."""
+    below = SHOULDER[1] - FALLS * (SHOULDER[0] - z) - y
+    far = TUCK * step((GROWS[0] - z) / GROWS[1]) * (1 - step((ENDS[0] - z) / ENDS[1]))
+    return -far * step((below + .008) / (DEEPEST + .008)) * (1 - step((below - DEEPEST) / (BEFORE - DEEPEST)))
+
+
 def scoop(y, z):
     """How far the door's rear and what follows it are drawn in, and out again behind the opening."""
-    shoulder, foot = (np.interp(z, SCOOP_LINES[0], line) for line in SCOOP_LINES[1:])
-    inside = step((shoulder - SCOOP_TOP - y) / SCOOP_WALL) * step((y - foot - SCOOP_FOOT) / SCOOP_WALL)
+    crest, foot = (np.interp(z, SCOOP_LINES[0], line) for line in SCOOP_LINES[1:])
+    inside = step((crest - SCOOP_TOP - y) / SCOOP_WALL) * step((y - foot - SCOOP_FOOT) / SCOOP_WALL)
     front, rear = (np.interp(y, OPENING[0], edge) for edge in OPENING[1:])
     deep = step((SCOOP_FROM - z) / (SCOOP_FROM - SCOOP_TO)) * step((z - rear - .040) / (front - rear - .060))
-    blade = step((shoulder - .012 - y) / .10) * step((y - foot + .03) / .10) * bump((z - rear - .02) / np.where(z > rear + .02, .3, BLADE_RUN))
+    blade = step((crest - .012 - y) / .10) * step((y - foot + .03) / .10) * bump((z - rear - .02) / np.where(z > rear + .02, .3, BLADE_RUN))
     return blade * BLADE * step((rear + .12 - z) / .08) - inside * deep * SCOOP_DEEP
 
 
@@ -70,5 +85,8 @@ def sculpt(p):
     p = flare(p)
     x, y, z = p.T
     out = (rocker(y, z) + scoop(y, z)) * (x > .7)
-    p[:, 0] += out
+    turn = np.radians(80) * step((TURNS[0] - z) / TURNS[1])
+    tuck = shoulder(y, z) * (x > .55)
+    p[:, 0] += out + tuck * np.cos(turn)
+    p[:, 2] -= tuck * np.sin(turn)
     return p

@@ -10,7 +10,7 @@ BACK, INWARDS = (0, -.10, -1.0), (-.90, 0, -.44)
 NOSE_WALL, NOSE_MESH, NOSE_END, SIDE_WALL = .108, .088, .165, .20
 # How far behind the skin the walls of the nose begin, below the rolled lips.
 LIPPED = .012
-PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "handle")
+PAINTED = ("body", "bumper", "bonnet", "door", "tail_bumper", "engine_lid", "handle")
 
 
 def both(part, name=None):
