@@ -23,7 +23,7 @@ const PROBE: &str = "
 import package::gen::{SampleKey, TraceParams};
 import package::lib::rng::{sample_2d};
 import package::passes::trace::connect::{draw_from_sky};
-import package::passes::trace::sky::{draw_column, sky_pdf, sky_radiance};
+import package::passes::trace::sky::{draw_entry, sky_pdf, sky_radiance};
 
 @group(0) @binding(0) var<storage, read> params: TraceParams;
 @group(0) @binding(1) var<storage, read_write> probed: array<vec4<f32>>;
@@ -51,7 +51,7 @@ fn look_at_sky(@builtin(global_invocation_id) id: vec3<u32>) {
 fn count_pixels(@builtin(global_invocation_id) id: vec3<u32>) {
     for (var i = 0u; i < 256u; i++) {
         let u = f32(id.x * 256u + i) * 0x1p-24;
-        atomicAdd(&counts[draw_column(params.sky_height, params.sky_width, u).index], 1u);
+        atomicAdd(&counts[draw_entry(params.sky_height, params.sky_width, u).index], 1u);
     }
 }
 ";

@@ -1,7 +1,8 @@
 // Rays against boxes and triangles. Woop, Benthin, Wald: Watertight Ray/Triangle Intersection (2013).
 //
 // Every sum of a product is written as fma(), so that no two places where this is inlined can be contracted
-// differently: the same ray and triangle give the same bits in every kernel of one device. NaN and infinity never arise
+// differently: the same ray and triangle give the same bits in every kernel of one device. (Not so with `halves`, of devices that round an fma()
+// twice: those have nothing to contract it to.) NaN and infinity never arise
 // from rays and triangles as package::gen describes them.
 
 import package::gen::{FAR_GROWTH, INSET, LEAST_AREA, LEAST_PART, Ray, SLAB_GROWTH};

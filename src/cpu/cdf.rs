@@ -21,7 +21,12 @@ pub fn draw_index(count: usize, u: f64, entry: impl Fn(usize) -> (f32, u32)) -> 
     (low, left_over(u, start, end(low)))
 }
 
-/// What is left of a uniform number from `start` to `end`.
+/// What is left of a uniform number of an entry.
 pub fn left_over(u: f64, start: f64, end: f64) -> f64 {
     ((u - start + f64::from(HALF_STEP)) / (end - start)).min(1.0 - f64::EPSILON)
+}
+
+/// A uniform number from `start` to `end`, stretched to [0, 1).
+pub fn stretched(u: f64, start: f64, end: f64) -> f64 {
+    ((u - start) / (end - start)).min(1.0 - f64::EPSILON)
 }

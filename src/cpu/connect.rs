@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use super::cdf::{draw_index, left_over};
+use super::cdf::{draw_index, stretched};
 use super::point::point_intensity;
 use super::sky::{draw_sky, sky_arriving};
 use super::sun::SunDisk;
@@ -151,9 +151,9 @@ impl LightSampler<'_> {
     }
 }
 
-/// What is left of two numbers of which the first is from `start` to `end`.
+/// Two numbers of which the first is from `start` to `end`, which is stretched.
 fn within(u: DVec2, start: f64, end: f64) -> DVec2 {
-    DVec2::new(left_over(u.x, start, end), u.y)
+    DVec2::new(stretched(u.x, start, end), u.y)
 }
 
 /// The density by solid angle of a direction of unit length that meets a light of normal `area_normal`, of any length, at a distance.

@@ -1,7 +1,7 @@
 //! The path kernel in f64, small and plain: the judge of `passes/trace/path`. The same estimator on the same random
 //! numbers, so that the two can be compared path by path.
 
-use glam::{DVec3, UVec2};
+use glam::{DVec2, DVec3, UVec2};
 
 use super::bsdf::dielectric::Interface;
 use super::bsdf::{BsdfSample, Reflection, ShadingFrame};
@@ -119,6 +119,7 @@ impl PathScene<'_> {
             let choices = self.sampler.sample_2d(key, first + SLOT_CHOICES);
             let [lobe, roulette] = choices.to_array().map(|u| watch.number(u));
             let point = self.sampler.sample_2d(key, first + SLOT_LIGHT_POINT);
+            let point = DVec2::from(point.to_array().map(|u| watch.number(u)));
             let surface =
                 self.textures.textured(Reflection::from(material), &texturing.maps, texturing.point, texturing.colours);
             watch.note(|turn| turn.surface = Some(SurfaceSeen::of(position, &frame, choices)));

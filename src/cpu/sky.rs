@@ -47,9 +47,9 @@ pub fn sky_arriving(sky: &SkyTable, direction: DVec3) -> (DVec3, f64) {
 /// A direction by two numbers in [0, 1): a row, then a pixel of the row, then a place in the pixel.
 pub fn draw_sky(sky: &SkyTable, u: DVec2) -> SkySample {
     let (rows, pixels) = sky.cdf.split_at(sky.size.y as usize);
-    let (row, down) = draw_column(rows, u.y);
+    let (row, down) = draw_entry(rows, u.y);
     let first = (row * sky.size.x) as usize;
-    let (column, across) = draw_column(&pixels[first..first + sky.size.x as usize], u.x);
+    let (column, across) = draw_entry(&pixels[first..first + sky.size.x as usize], u.x);
     let cell = UVec2::new(column, row);
     let (radiance, pdf) = at_cell(sky, cell);
     SkySample { direction: sky_direction(cell, sky.size, DVec2::new(across, down)), cell, pdf, radiance }
@@ -61,7 +61,7 @@ fn at_cell(sky: &SkyTable, cell: UVec2) -> (DVec3, f64) {
 }
 
 /// An index drawn from a table, and what is left of the uniform number.
-fn draw_column(table: &[CdfEntry], u: f64) -> (u32, f64) {
+fn draw_entry(table: &[CdfEntry], u: f64) -> (u32, f64) {
     let (index, rest) = draw_index(table.len(), u, |index| (table[index].end, table[index].first));
     (index as u32, rest)
 }

@@ -27,7 +27,7 @@ pub(super) fn rounds_twice(device: &wgpu::Device, queue: &wgpu::Queue) -> Result
     answer.map_async(wgpu::MapMode::Read, .., move |result| {
         let _ = sender.send(result);
     });
-    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(error.to_string()))?;
+    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| GpuError::Lost { reason: error.to_string() })?;
     receiver.recv().map_err(|error| failed(error.to_string()))?.map_err(|error| failed(error.to_string()))?;
     let bytes = answer.get_mapped_range(..).map_err(|error| failed(error.to_string()))?;
     Ok(bytes.iter().all(|byte| *byte == 0))

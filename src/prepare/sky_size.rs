@@ -6,7 +6,7 @@ use glam::{DVec3, UVec2, Vec3};
 
 use crate::layout::cdf::CdfEntry;
 
-/// How often the sides of a picture of so many pixels are halved until its pixels, and the columns that directions are drawn by, take at most
+/// How often the sides of a picture of so many pixels are halved until its pixels, and the entries of the table that directions are drawn by, take at most
 /// `room` bytes each.
 pub fn halvings_of_sky(size: UVec2, room: u64) -> u32 {
     let fits = |halvings: &u32| {

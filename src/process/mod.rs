@@ -1,6 +1,6 @@
 //! What memory the process has taken, as the system counts it. Knows nothing of who asks.
 
-/// Bytes that are resident now, without what was freed; none where the system does not tell.
+/// Bytes that are resident now; none where the system does not tell. What was freed is given back to the system first, so that it doesn't count.
 #[cfg(any(target_os = "linux", target_os = "android"))]
 pub fn resident() -> Option<u64> {
     trim();

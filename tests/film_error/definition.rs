@@ -169,7 +169,6 @@ fn the_error_is_that_of_its_definition_however_many_rows_there_are() {
     let places = [(0, 0), (3, 2), (8, 29), (13, 31), (1000, 33)];
     for (number, (width, height)) in sizes.into_iter().enumerate() {
         let mut film = noise(width * height);
-        // Some have no sample in one half.
         // A lamp's edge, which covers little of a row.
         let lit = height / 2 * width;
         film[lit..lit + width].fill(pixel_of(&[[50.0; 3]; 2]));
@@ -177,6 +176,7 @@ fn the_error_is_that_of_its_definition_however_many_rows_there_are() {
             film[at] = pixel_of(&[[0.1; 3], [[2.0; 3], [0.2; 3]][at % 2], [[2.1; 3], [0.3; 3]][at / 2 % 2]])
         };
         (lit.saturating_sub(width)..lit).for_each(&mut sliver);
+        // Some have no sample in one half.
         film.iter_mut().step_by(17).for_each(|pixel| pixel.halves[1] = FilmHalf::default());
         let place = Place { min: UVec2::from(places[number % places.len()]), width };
         let told = film_error(&film, place, EXPONENT);

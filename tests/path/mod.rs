@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use glam::{UVec2, Vec3};
 use lucerna::components::{Energy, Material, Passage};
 use lucerna::cpu::rng::Source;
-use lucerna::gpu::Runtime;
+use lucerna::gpu::{HALVES, Runtime};
 use lucerna::layout::texture::MaterialMaps;
 use lucerna::layout::trace::{RadianceSample, TraceParams};
 use lucerna::passes::trace::Needs;
@@ -45,7 +45,7 @@ fn a_scene_can_ask_for_every_feature_that_the_kernel_names() {
     asked.extend(Needs { maps: &[every], ..Needs::default() }.features());
     asked.extend(Needs { triangles: 32, lens: true, point_lights: true, ..Needs::default() }.features());
     // Of the device, not of the scene.
-    asked.extend(["halves", "software"]);
+    asked.extend([HALVES, "software"]);
     // Of the film, not of the scene.
     asked.insert("adaptive");
     // Of the passes that replay a path, that show a probe, and that say where the error comes from.

@@ -5,6 +5,7 @@ mod edits;
 mod files;
 mod known;
 mod panes;
+mod picks;
 
 use glam::{DVec3, UVec2, Vec3};
 use lucerna::components::{Energy, Lobe, Material, Passage, PointLight, SpotCone};

@@ -1,13 +1,8 @@
 //! Reload after reload: none is lost, and memory stays what it is.
 
-use super::Bench;
+use lucerna::process::resident;
 
-/// Resident memory of this process, bytes, where the system tells.
-fn resident() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|line| line.starts_with("VmRSS:"))?;
-    Some(line.split_whitespace().nth(1)?.parse::<u64>().ok()? << 10)
-}
+use super::Bench;
 
 #[test]
 fn a_series_of_reloads() {

@@ -4,8 +4,8 @@ import package::gen::{TraceParams, NO_HIT};
 @if(lights && point_lights) import package::gen::{PointLightRecord, unpack_point_light_record};
 @if(lights) import package::gen::{LIGHT_RECORD_STRIDE, LightRecord, MATERIAL_ONE_SIDED, MaterialRecord, unpack_light_record};
 @if(lights) import package::gen::{LIGHT_RECORD_END, LIGHT_RECORD_FIRST, light_record_end, light_record_first};
-@if(lights) import package::lib::cdf::{bucket_of, count_buckets};
-@if(sky_light || lights) import package::lib::cdf::{left_over};
+@if(lights) import package::lib::cdf::{bucket_of, count_buckets, left_over};
+@if(sky_light) import package::lib::cdf::{stretched};
 @if(lights) import package::lib::intersect::{triangle_normal};
 @if(lights) import package::lib::colour::{luminance};
 @if(lights) import package::lib::light::{kept_from_edges, light_area_pdf, light_point, light_weights};
@@ -104,7 +104,8 @@ fn light_first(bucket: u32) -> u32 {
     return light_record_first(lights[LIGHT_RECORD_STRIDE * bucket + LIGHT_RECORD_FIRST]);
 }
 
-// A light of the table by its power, and what is left of the number. Its probability is off by 2^-25 at most, up or down by chance.
+// A light of the table by its power, and what is left of the number: of a light with a share s of all power one of s * 2^24 places. Its probability
+// is off by 2^-24 at most, up or down by chance.
 @if(lights)
 struct LightPick {
     index: u32,
@@ -209,10 +210,10 @@ fn draw_from_sun(params: TraceParams, u: vec2<f32>) -> LightSample {
 fn draw_from_beyond(params: TraceParams, u: vec2<f32>) -> LightSample {
     @if(sun) {
         if (u.x < params.sun_end) {
-            return draw_from_sun(params, vec2<f32>(left_over(u.x, params.light_share, params.sun_end), u.y));
+            return draw_from_sun(params, vec2<f32>(stretched(u.x, params.light_share, params.sun_end), u.y));
         }
     }
-    return draw_from_sky(params, vec2<f32>(left_over(u.x, params.sun_end, 1.0), u.y));
+    return draw_from_sky(params, vec2<f32>(stretched(u.x, params.sun_end, 1.0), u.y));
 }
 
 // Light at a position. `u` chooses the light, and what is left of it the point there; `texel` what its map says.
@@ -222,7 +223,7 @@ fn draw_light(params: TraceParams, position: vec3<f32>, u: vec2<f32>, texel: f32
         if (u.x >= params.light_share) {
             return draw_from_beyond(params, u);
         }
-        return draw_from_table(params, position, vec2<f32>(left_over(u.x, 0.0, params.light_share), u.y), texel);
+        return draw_from_table(params, position, vec2<f32>(stretched(u.x, 0.0, params.light_share), u.y), texel);
     }
     @if(lights && !sky_light) {
         return draw_from_table(params, position, u, texel);

@@ -63,13 +63,13 @@ struct SkySample {
 
 // An index drawn from the `count` entries from `first` on, and the uniform number that is left over.
 @if(sky_light)
-struct ColumnSample {
+struct EntrySample {
     index: u32,
     rest: f32,
 }
 
 @if(sky_light)
-fn draw_column(first: u32, count: u32, u: f32) -> ColumnSample {
+fn draw_entry(first: u32, count: u32, u: f32) -> EntrySample {
     let bucket = bucket_of(u, count);
     var low = sky_cdf[first + bucket].first;
     var high = count - 1u;
@@ -88,14 +88,14 @@ fn draw_column(first: u32, count: u32, u: f32) -> ColumnSample {
     if (low > 0u) {
         start = sky_cdf[first + low - 1u].end;
     }
-    return ColumnSample(low, left_over(u, start, sky_cdf[first + low].end));
+    return EntrySample(low, left_over(u, start, sky_cdf[first + low].end));
 }
 
 @if(sky_light)
 fn draw_sky(params: TraceParams, u: vec2<f32>) -> SkySample {
     let size = vec2<u32>(params.sky_width, params.sky_height);
-    let row = draw_column(0u, size.y, u.y);
-    let column = draw_column(size.y + row.index * size.x, size.x, u.x);
+    let row = draw_entry(0u, size.y, u.y);
+    let column = draw_entry(size.y + row.index * size.x, size.x, u.x);
     let cell = vec2<u32>(column.index, row.index);
     let direction = sky_direction(cell, size, vec2<f32>(column.rest, row.rest));
     return SkySample(to_scene(params, direction), sky[cell.y * size.x + cell.x].rgb);

@@ -70,7 +70,7 @@ fn clear_bits(lane: u32) {
     }
 }
 
-// Notes of each place whether it is kept, and is marked: all invocations together, between clear_bits() and a barrier.
+// Notes of each place whether it is kept, and is marked: all invocations together, where none has branched off since a barrier, between clear_bits() and a barrier.
 fn note_bits(place: u32, is_kept: bool, is_marked: bool) {
     @if(ballots) {
         let bits = vec2(subgroupBallot(is_kept).x, subgroupBallot(is_marked).x);
@@ -167,20 +167,17 @@ fn join_clusters(clusters: u32, lane: u32) {
             }
         }
         workgroupBarrier();
-        var other = lane;
-        var stays = false;
-        var joins = false;
+        let other = nearest[min(lane, count - 1u)];
+        let mutual = nearest[other] == lane;
+        let stays = lane < count && (!mutual || lane <= other);
+        let joins = lane < count && mutual && lane < other;
+        note_bits(lane, stays, joins);
         var own: Cluster;
         var partner: Cluster;
         if lane < count {
-            other = nearest[lane];
-            let mutual = nearest[other] == lane;
-            stays = !mutual || lane <= other;
-            joins = mutual && lane < other;
             own = load_cluster(lane);
             partner = load_cluster(other);
         }
-        note_bits(lane, stays, joins);
         workgroupBarrier();
         if stays {
             let before = bits_before(lane);

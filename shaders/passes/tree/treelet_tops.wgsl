@@ -40,12 +40,8 @@ fn take_apart(root: u32, below: u32, lane: u32) -> u32 {
     for (var turn = 0u; turn < MAX_TURNS; turn += 1u) {
         clear_bits(lane);
         workgroupBarrier();
-        var own: Cluster;
-        var opens = false;
-        if lane < count {
-            own = load_cluster(lane);
-            opens = own.leaves > below;
-        }
+        let own = load_cluster(min(lane, count - 1u));
+        let opens = lane < count && own.leaves > below;
         note_bits(lane, false, opens);
         workgroupBarrier();
         let opened = bits_before(TREELET_SIZE).y;

@@ -4,7 +4,7 @@ import numpy as np
 
 from edges import rim
 from mesh import joined, smooth, unit
-from panels import ARCHES, CORNERS, INTAKE, MOUTHS, corner
+from panels import ARCHES, CORNERS, INTAKE, corner
 from shapes import disk, oriented, sweep
 from shell import INWARDS, both, pair
 from surface import nearest
