@@ -127,6 +127,7 @@ def body(levels=4):
     half = points[used]
     half[np.abs(half[:, 0]) < 1e-7, 0] = 0
     quads = [[index[v] for v in faces[k]] for k in keep]
+    # Flared before it is faired, so that flares are as even as the rest; fairing moves the arches' edges out of their planes, and sculpt() puts them back.
     half = fair(flare(half), quads, levels)
     skin = Skin(np.round(sculpt(half), DIGITS), quads,
                 [tags[history[0][k]] for k in keep], [history[levels - 1][k] for k in keep], [history[levels - 2][k] for k in keep])
