@@ -2,9 +2,8 @@
 
 use crate::layout::cdf::{CdfEntry, HALF_STEP};
 
-/// The table that draws index `i` with the probability `weights[i]` / their sum, to a step of the uniform numbers, up or down; all up to an index together to half
-/// of one. Weights are
-/// finite and at least 0; one of weight 0 is never drawn. Empty if there is no weight above 0.
+/// The table that draws index `i` with the probability `weights[i]` / their sum, to a step of the uniform numbers, up or down, and an index up to `i`
+/// to half of one. Weights are finite and at least 0; one of weight 0 is never drawn. Empty if there is no weight above 0.
 pub fn cdf_table(weights: &[f64]) -> Vec<CdfEntry> {
     let total: f64 = weights.iter().sum();
     let Some(last) = weights.iter().rposition(|weight| *weight > 0.0).filter(|_| total.is_finite()) else {
