@@ -59,8 +59,8 @@ fn every_two_features_meet_in_every_way() {
                 assert_eq!(met.len(), 4, "{}: {first} and {second}", pass.name);
             }
         }
-        // A link takes 25 ms; so many are tried by `lucerna check` in six seconds.
-        assert!(sets.len() <= 500, "{} has {} sets of features", pass.name, sets.len());
+        // `lucerna check` tries them all, at some 7 ms each.
+        assert!(sets.len() <= 550, "{} has {} sets of features", pass.name, sets.len());
         assert_eq!(sets.iter().collect::<BTreeSet<_>>().len(), sets.len());
     }
 }

@@ -3,7 +3,7 @@
 use glam::Vec4;
 use lucerna::cpu::cdf::draw_index;
 use lucerna::gpu::Runtime;
-use lucerna::layout::cdf::CdfEntry;
+use lucerna::layout::cdf::{CdfEntry, HALF_STEP};
 use lucerna::layout::light::LightRecord;
 use lucerna::layout::trace::TraceParams;
 use lucerna::passes::{Binding, Pass, Recording, Size};
@@ -61,14 +61,17 @@ fn picks(library: Library, table: &[CdfEntry]) -> Vec<(usize, f32)> {
     rows.iter().map(|row| (row.x as usize, row.y)).collect()
 }
 
-/// How many numbers are of another light than by the twin, or have another rest.
+/// How many numbers are of another light than by the twin, or have another rest. Half a step of the numbers may be lost: Mesa adds it first,
+/// where it is rounded.
 fn wrong(library: Library, table: &[CdfEntry]) -> usize {
-    let right = |i: usize| {
+    let is_wrong = |(i, (index, rest)): (usize, (usize, f32))| {
         let u = i as f64 / f64::from(NUMBERS);
-        draw_index(table.len(), u, |index| (table[index].end, table[index].first))
+        let right = draw_index(table.len(), u, |index| (table[index].end, table[index].first));
+        let start = if right.0 > 0 { table[right.0 - 1].end } else { 0.0 };
+        let half_step = f64::from(HALF_STEP) / f64::from(table[right.0].end - start);
+        index != right.0 || (f64::from(rest) - right.1).abs() > 1e-6 + 1.01 * half_step
     };
-    let got = picks(library, table).into_iter().enumerate();
-    got.filter(|(i, (index, rest))| *index != right(*i).0 || (f64::from(*rest) - right(*i).1).abs() > 1e-6).count()
+    picks(library, table).into_iter().enumerate().filter(|pick| is_wrong(*pick)).count()
 }
 
 #[test]

@@ -166,7 +166,7 @@ fn a_mistake_in_what_is_noted_is_seen() {
         ("cornell", "passes/trace/path", "@if(sources) note_found(params, hit.triangle, (*state).direction);", ""),
         ("found", module, "found.through = NO_MATERIAL;\n        found.way", "found.way"),
         ("found", module, "    if (straight) {\n        return;\n    }\n", ""),
-        ("glazed", "passes/trace/connect", "note_point(index)", "note_point(drawn.column)"),
+        ("glazed", "passes/trace/connect", "note_point(index)", "note_point(index ^ 1u)"),
         ("outside", module, "return LIGHT_SUN;", "return LIGHT_SKY;"),
     ] {
         let room = &rooms[name];
