@@ -71,7 +71,7 @@ impl SceneFiles {
     }
 
     /// Loads the scene anew if any of its files changed. `patient`: a file that is empty, gone or cut short is being saved, and so is one that
-    /// changes while the scene is read.
+    /// changes while the scene is read; of those that this reading names for the first time, that is not known.
     pub fn look(&mut self, patient: bool, force: bool) -> Look<Box<Loaded>> {
         let now: Vec<(PathBuf, Seen)> =
             self.seen.iter().map(|(path, old)| (path.clone(), Seen::of(path, Some(old)))).collect();
